@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The only place that knows all softening laws.
+#ifndef demold_adhesion_softening_h
+#define demold_adhesion_softening_h
+
+#include "adhesion/exponential_softening.h"
+#include "adhesion/linear_softening.h"
+
+#include <variant>
+
+namespace demold
+{
+  /// A softening law chosen by name; visit it once per point.
+  using Softening = std::variant<LinearSoftening, ExponentialSoftening>;
+} // namespace demold
+
+#endif

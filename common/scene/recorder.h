@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a run leaves behind: history, summary, plots, console lines.
+#ifndef demold_scene_recorder_h
+#define demold_scene_recorder_h
+
+#include "base/run_step.h"
+#include "output/progress.h"
+#include "output/result_table.h"
+#include "output/summary.h"
+#include "weak_form/energies.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace demold
+{
+  /// What is known after an accepted increment, for the whole block.
+  struct Observation
+  {
+    double       time    = 0.; ///< [s]
+    double       opening = 0.; ///< [mm]
+    double       force   = 0.; ///< [N] in the opening direction
+    double       bonded  = 0.; ///< [mm^2]
+    double       closed  = 0.; ///< [mm^2] under pressure
+    double       area    = 0.; ///< [mm^2] of the slave surface
+    Energies     energies;
+    unsigned int iterations = 0;
+    unsigned int rejected   = 0;
+    std::string  strategy;
+    double       done = 0.; ///< share of the run
+  };
+
+  /// Keeps the running extremes, writes history.csv row by row, finds the
+  /// jumps of quasi-static runs and closes the books at the end.
+  class Recorder
+  {
+  public:
+    Recorder(const RunContext &context, bool has_interface);
+
+    /// Continues history.csv after the rows counted in the checkpoint.
+    void restart();
+
+    void record(const Observation &observation);
+
+    /// Largest ledger gap over the largest entry so far [-].
+    double energy_balance_error() const;
+
+    /// Adds the results to @p summary.
+    void summarise(Summary &summary) const;
+
+    /// A remark on the console.
+    void note(const std::string &text);
+
+    void print(const Summary &summary);
+
+    void draw(const std::vector<std::pair<std::string, double>> &times) const;
+
+    /// State for checkpoints.
+    std::vector<double> save() const;
+    void                load(const std::vector<double> &values);
+
+    unsigned int n_jumps = 0;
+
+  private:
+    const RunContext             context;
+    const bool                   has_interface;
+    const bool                   is_first; ///< rank, the one that writes
+    std::unique_ptr<ResultTable> table;
+    Progress                     progress;
+    Observation                  last;
+    double                       peak_force = 0., opening_at_peak = 0.;
+    double                       largest_entry = 0., largest_gap = 0.;
+    double                       released   = 0.; ///< [mJ] in jumps
+    double                       rows_saved = 0.;
+  };
+} // namespace demold
+
+#endif

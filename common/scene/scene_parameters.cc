@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of a parameter file that all scenes share.
+#include "scene/scene_parameters.h"
+
+#include "base/parameter_error.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace demold
+{
+  using namespace dealii;
+
+  void SceneParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("dimension",
+                      dimension,
+                      "of the mesh: 2 (plane strain), 3, or axisymmetric "
+                      "about the y axis with x = R",
+                      Patterns::Selection("2|3|axisymmetric"));
+    prm.add_parameter("thickness",
+                      thickness,
+                      "of a plane-strain slice; forces and energies are "
+                      "multiplied by it [mm]",
+                      Patterns::Double(1e-12));
+    prm.add_parameter("element",
+                      element,
+                      "q1: bilinear; q1p0: bilinear with mean dilatation, "
+                      "free of volumetric locking; q2: biquadratic",
+                      Patterns::Selection("q1|q1p0|q2"));
+    material.add_parameters(prm);
+    interface.add_parameters(prm);
+    prm.enter_subsection("Solution");
+    prm.add_parameter("strategy",
+                      strategy,
+                      "how the scene is solved",
+                      Patterns::Selection("quasi-static|dynamics"));
+    increments.add_parameters(prm);
+    integrator.add_parameters(prm);
+    prm.add_parameter("accuracy",
+                      accuracy,
+                      "eta displacement error of a dynamic step over the "
+                      "rupture gap (fast: 0.1) [-]",
+                      Patterns::Double(1e-6, 10.));
+    prm.leave_subsection();
+    prm.enter_subsection("Solver");
+    newton.add_parameters(prm);
+    linear_solver.add_parameters(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Output");
+    prm.add_parameter("fields every",
+                      fields_every,
+                      "increments between ParaView files; 0: none [-]",
+                      Patterns::Integer(0));
+    prm.add_parameter("checkpoint every",
+                      checkpoint_every,
+                      "increments between checkpoints; 0: none [-]",
+                      Patterns::Integer(0));
+    prm.leave_subsection();
+  }
+
+  void SceneParameters::check() const
+  {
+    material.check();
+    interface.check();
+    increments.check();
+    linear_solver.check();
+    if (strategy == "dynamics" && !(material.density > 0.))
+      throw ExcParameter("Material/density",
+                         "must be positive for Solution/strategy = dynamics; "
+                         "got " +
+                           std::to_string(material.density) + " t/mm^3.");
+  }
+
+  int SceneParameters::dim() const
+  {
+    return dimension == "3" ? 3 : 2;
+  }
+
+  PlaneModel SceneParameters::plane() const
+  {
+    PlaneModel model;
+    model.axisymmetric = dimension == "axisymmetric";
+    model.thickness    = model.axisymmetric ? 1. : thickness;
+    return model;
+  }
+} // namespace demold

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of a parameter file that all scenes share.
+#ifndef demold_scene_scene_parameters_h
+#define demold_scene_scene_parameters_h
+
+#include "base/plane_model.h"
+#include "material/rubber_model.h"
+#include "scene/interface_parameters.h"
+#include "solution/inertia.h"
+#include "solution/linear_solver.h"
+#include "solution/newton.h"
+#include "solution/strategy.h"
+
+#include <string>
+
+namespace demold
+{
+  /// Everything but geometry and motion: what the rubber is, what acts at the
+  /// interface, how it is solved, what is written.
+  struct SceneParameters
+  {
+    std::string dimension = "2"; ///< 2 | 3 | axisymmetric
+    double      thickness = 1.;  ///< [mm] of a 2-D slice
+    std::string element   = "q1p0";
+
+    RubberModel            material;
+    InterfaceParameters    interface;
+    std::string            strategy = "quasi-static";
+    IncrementParameters    increments;
+    TimeIntegrator         integrator;
+    double                 accuracy = .01; ///< eta of the dynamic step rule
+    NewtonParameters       newton;
+    LinearSolverParameters linear_solver;
+
+    unsigned int fields_every     = 10; ///< increments; 0: never
+    unsigned int checkpoint_every = 50; ///< increments; 0: never
+
+    /// Entries before and after those of the geometry, in printing order.
+    void add_parameters(dealii::ParameterHandler &prm);
+    void check() const;
+
+    /// 2 or 3.
+    int        dim() const;
+    PlaneModel plane() const;
+  };
+} // namespace demold
+
+#endif

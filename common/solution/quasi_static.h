@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Equilibrium increment by increment.
+#ifndef demold_solution_quasi_static_h
+#define demold_solution_quasi_static_h
+
+#include "solution/strategy.h"
+
+namespace demold
+{
+  class WeakForm;
+
+  /// Follows the equilibrium of @p weak_form to @p end_time with adaptive
+  /// increments. Where softening outruns the elastic unloading, the next
+  /// equilibrium is far away: the step is then a jump (theory D.1).
+  StrategyResult run_quasi_static(WeakForm &                 weak_form,
+                                  Newton &                   newton,
+                                  const IncrementParameters &increments,
+                                  const double               end_time,
+                                  const OnAccept &           on_accept);
+} // namespace demold
+
+#endif

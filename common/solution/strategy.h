@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What every solution strategy takes and gives back.
+#ifndef demold_solution_strategy_h
+#define demold_solution_strategy_h
+
+#include "solution/newton.h"
+
+#include <functional>
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace demold
+{
+  /// Where the control of increments stands; part of a checkpoint.
+  struct IncrementState
+  {
+    double dt      = 0.; ///< [s] next increment, 0 at the start
+    double last_dt = 0.; ///< [s] last one, 0 if nothing to extrapolate from
+  };
+
+  /// Increments of time, section Solution. Zero means: chosen by the scene.
+  struct IncrementParameters
+  {
+    double       first    = 0.; ///< [s]
+    double       smallest = 0.; ///< [s]
+    double       largest  = 0.; ///< [s]
+    double       growth   = 1.5;
+    unsigned int easy     = 5; ///< iterations up to which increments grow
+
+    IncrementState *state = nullptr; ///< kept by the caller
+
+    void add_parameters(dealii::ParameterHandler &prm);
+    void check() const;
+  };
+
+  /// One accepted increment.
+  struct IncrementRecord
+  {
+    double       time; ///< [s]
+    double       dt;   ///< [s]
+    NewtonReport newton;
+    std::string  strategy;
+    unsigned int rejected; ///< so far
+  };
+
+  /// Called after each accepted increment; false ends the run.
+  using OnAccept = std::function<bool(const IncrementRecord &)>;
+
+  /// How a strategy ended.
+  struct StrategyResult
+  {
+    bool         gave_up = false;
+    std::string  reason;
+    unsigned int increments        = 0;
+    unsigned int rejected          = 0;
+    unsigned int newton_iterations = 0;
+  };
+} // namespace demold
+
+#endif

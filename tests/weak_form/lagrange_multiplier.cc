@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The Term interface carries terms with unknowns of their own: a multiplier
+// that prescribes one displacement gives what a support would give.
+#include "solid/finite_strain_solid.h"
+#include "solution/linear_solver.h"
+#include "solution/newton.h"
+#include "weak_form/assembler.h"
+#include "weak_form/weak_form.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/distributed/shared_tria.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <gtest/gtest.h>
+
+using namespace dealii;
+
+namespace
+{
+  /// lambda (u_i - value) = 0: one unknown, one constraint row.
+  class HeldUnknown : public demold::Term
+  {
+  public:
+    HeldUnknown(const types::global_dof_index held,
+                const unsigned int            owner,
+                const double                  value)
+      : held(held)
+      , owner(owner)
+      , value(value)
+    {}
+
+    std::string name() const override
+    {
+      return "held unknown";
+    }
+
+    demold::TermKind kind() const override
+    {
+      return demold::TermKind::interface;
+    }
+
+    bool symmetric() const override
+    {
+      return true;
+    }
+
+    std::vector<unsigned int> extra_unknown_owners() const override
+    {
+      return {owner};
+    }
+
+    void set_first_extra_unknown(const types::global_dof_index i) override
+    {
+      multiplier = i;
+    }
+
+    void needed_unknowns(IndexSet &set) const override
+    {
+      set.add_index(held);
+      set.add_index(multiplier);
+    }
+
+    void
+    add_couplings(DynamicSparsityPattern &         pattern,
+                  const AffineConstraints<double> &constraints) const override
+    {
+      if (mine())
+        constraints.add_entries_local_to_global(
+          std::vector<types::global_dof_index>{held, multiplier},
+          pattern,
+          false);
+    }
+
+    bool assemble(const demold::Configuration &now,
+                  demold::Assembler &          assembler) override
+    {
+      if (!mine())
+        return true;
+      dealii::Vector<double> r(2);
+      FullMatrix<double>     K(2, 2);
+      r(0) = now.u(multiplier);
+      r(1) = now.u(held) - value;
+      K(0, 1) = K(1, 0) = 1.;
+      if (assembler.with_tangent())
+        assembler.add({held, multiplier}, r, K);
+      else
+        assembler.add({held, multiplier}, r);
+      return true;
+    }
+
+    demold::Energies energies() const override
+    {
+      return {};
+    }
+
+    void commit() override
+    {}
+
+    void revert() override
+    {}
+
+    std::size_t history_bytes() const override
+    {
+      return 0;
+    }
+
+    bool mine() const
+    {
+      return owner == Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    }
+
+    const types::global_dof_index held;
+    types::global_dof_index       multiplier = 0;
+    const unsigned int            owner;
+    const double                  value;
+  };
+
+  struct Block
+  {
+    Block()
+      : mesh(MPI_COMM_WORLD,
+             Triangulation<2>::none,
+             false,
+             parallel::shared::Triangulation<2>::Settings::partition_metis)
+      , fe(FE_Q<2>(1), 2)
+      , dofs(mesh)
+    {
+      GridGenerator::subdivided_hyper_rectangle(
+        mesh, {4, 3}, Point<2>(0., 0.), Point<2>(4., 3.));
+      dofs.distribute_dofs(fe);
+      for (const auto &cell : dofs.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            if (cell->vertex(v)[1] == 0.)
+              for (unsigned int d = 0; d < 2; ++d)
+                fixed.insert(cell->vertex_dof_index(v, d));
+            if (cell->vertex(v).distance(Point<2>(4., 3.)) < 1e-12)
+              corner = cell->vertex_dof_index(v, 1);
+          }
+    }
+
+    demold::WeakForm weak_form(const bool corner_is_support) const
+    {
+      IndexSet relevant;
+      DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+      demold::Supports supports;
+      supports.unknowns.assign(fixed.begin(), fixed.end());
+      if (corner_is_support)
+        supports.unknowns.push_back(corner);
+      const std::size_t n_fixed = fixed.size();
+      supports.values = [n_fixed](double, std::vector<double> &values) {
+        for (std::size_t k = 0; k < values.size(); ++k)
+          values[k] = k < n_fixed ? 0. : .3;
+      };
+      demold::WeakForm form(
+        {MPI_COMM_WORLD,
+         dofs.locally_owned_dofs(),
+         relevant,
+         [this](DynamicSparsityPattern &         pattern,
+                const AffineConstraints<double> &constraints) {
+           DoFTools::make_sparsity_pattern(
+             dofs,
+             pattern,
+             constraints,
+             false,
+             Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+         }},
+        supports);
+      demold::SolidDescription description;
+      description.element = "q1p0";
+      description.law     = [](const Point<3> &) {
+        demold::RubberLaw    law;
+        demold::MooneyRivlin elastic;
+        elastic.lambda = 50.;
+        elastic.mu1    = .4;
+        elastic.mu2    = .1;
+        law.elastic    = elastic;
+        return law;
+      };
+      form.add(demold::make_solid_term<2>(dofs, description));
+      return form;
+    }
+
+    parallel::shared::Triangulation<2>  mesh;
+    FESystem<2>                         fe;
+    DoFHandler<2>                       dofs;
+    std::set<types::global_dof_index>   fixed;
+    types::global_dof_index             corner = 0;
+  };
+
+  void solve(demold::WeakForm &form)
+  {
+    demold::LinearSolverParameters linear;
+    demold::LinearSolver           solver(linear, MPI_COMM_WORLD);
+    demold::NewtonParameters       parameters;
+    parameters.residual_tolerance = 1e-12;
+    demold::Newton newton(parameters, solver);
+    form.begin_increment(1., 0.);
+    const demold::NewtonReport report = newton.solve(form);
+    ASSERT_TRUE(report.converged) << report.reason;
+    form.accept();
+  }
+
+  /// Entry @p i, known to every rank.
+  double entry(const demold::Vector &v, const types::global_dof_index i)
+  {
+    return Utilities::MPI::sum(v.in_local_range(i) ||
+                                   v.locally_owned_elements().is_element(i) ?
+                                 static_cast<double>(v(i)) :
+                                 0.,
+                               MPI_COMM_WORLD);
+  }
+} // namespace
+
+TEST(WeakForm, multiplier_of_a_term_equals_the_reaction_of_a_support)
+{
+  const Block      block;
+  demold::WeakForm supported = block.weak_form(true);
+  supported.setup();
+  solve(supported);
+
+  demold::WeakForm with_multiplier = block.weak_form(false);
+  const bool       here = block.dofs.locally_owned_dofs().is_element(block.corner);
+  const unsigned int owner = Utilities::MPI::max(
+    here ? Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) : 0u,
+    MPI_COMM_WORLD);
+  with_multiplier.add(std::make_unique<HeldUnknown>(block.corner, owner, .3));
+  with_multiplier.setup();
+  solve(with_multiplier);
+
+  const double reaction = entry(supported.force, block.corner);
+  const double lambda =
+    entry(with_multiplier.accepted, block.dofs.n_dofs());
+  EXPECT_GT(reaction, .01);
+  EXPECT_NEAR(lambda, -reaction, 1e-9 * reaction);
+  for (types::global_dof_index i = 0; i < block.dofs.n_dofs(); ++i)
+    EXPECT_NEAR(entry(with_multiplier.accepted, i),
+                entry(supported.accepted, i),
+                1e-10);
+}
