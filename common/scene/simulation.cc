@@ -9,6 +9,7 @@
 #include "scene/checkpoint.h"
 #include "scene/expression.h"
 #include "scene/field_output.h"
+#include "scene/interface_table.h"
 #include "scene/recorder.h"
 #include "scene/scene_supports.h"
 #include "solid/dead_traction.h"
@@ -354,6 +355,9 @@ namespace demold
         fields->write(weak_form->accepted,
                       interface,
                       weak_form->time());
+      if (interface != nullptr)
+        write_interface_table(context.output_folder + "/interface.csv",
+                              *interface);
       std::size_t history = 0;
       for (const auto &term : weak_form->term_list())
         history += term->history_bytes();
