@@ -116,7 +116,10 @@ namespace demold
         {
           throw ExcParameter(origin + ": " + path,
                              "must be " + pattern_in_words(entry->pattern) +
-                               got);
+                               got +
+                               (entry->documentation.empty() ?
+                                  "" :
+                                  " Meaning: " + entry->documentation + "."));
         }
       catch (const ExcParameter &)
         {

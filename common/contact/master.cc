@@ -25,6 +25,34 @@ namespace demold
         }
       return Q;
     }
+
+    /// Change of orthonormal(frame) * @p offset per displacement of a node
+    /// whose shape function has the slope @p dN along a_1.
+    Tensor<2, 3> offset_change(const FacetFrame &  frame,
+                               const Tensor<1, 3> &offset,
+                               const double        dN,
+                               const Tensor<2, 3> &dnormal)
+    {
+      const double       length = frame.a[0].norm();
+      const Tensor<1, 3> e1     = frame.a[0] / length;
+      Tensor<2, 3>       change;
+      for (unsigned int j = 0; j < 3; ++j)
+        {
+          Tensor<1, 3> dn;
+          for (unsigned int i = 0; i < 3; ++i)
+            dn[i] = dnormal[i][j];
+          Tensor<1, 3> de1 = -e1[j] * e1;
+          de1[j] += 1.;
+          de1 *= dN / length;
+          const Tensor<1, 3> de2 =
+            cross_product_3d(dn, e1) + cross_product_3d(frame.normal, de1);
+          const Tensor<1, 3> dx =
+            offset[0] * de1 + offset[1] * de2 + offset[2] * dn;
+          for (unsigned int i = 0; i < 3; ++i)
+            change[i][j] = dx[i];
+        }
+      return change;
+    }
   } // namespace
 
   Master Master::rigid(std::vector<Facet>            facets,
@@ -123,6 +151,12 @@ namespace demold
       for (unsigned int alpha = 0; alpha < 2; ++alpha)
         result.dnormal[i] -=
           frame.shape.dN[i][alpha] * outer_product(dual[alpha], frame.normal);
+    if (anchor.offset.norm_square() > 0.)
+      for (unsigned int i = 0; i < result.n_nodes; ++i)
+        result.doffset[i] = offset_change(frame,
+                                          anchor.offset,
+                                          frame.shape.dN[i][0],
+                                          result.dnormal[i]);
     return result;
   }
 

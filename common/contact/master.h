@@ -37,6 +37,8 @@ namespace demold
     std::array<double, 4>       N{};
     /// dn/dx_I at fixed parameters, one 3 x 3 matrix per node.
     std::array<dealii::Tensor<2, 3>, 4> dnormal{};
+    /// Part of dx/dx_I beyond N_I 1: the offset turns with the facet.
+    std::array<dealii::Tensor<2, 3>, 4> doffset{};
   };
 
   class Master

@@ -23,6 +23,14 @@ namespace demold
     /// active set can cycle (theory C.3).
     constexpr unsigned int freeze_after = 8;
 
+    /// Iterations, counted from there, in which a softening bond shows Newton
+    /// a small positive stiffness: this share of its secant. Where the bond
+    /// softens faster than the rubber gives way, the true tangent leads back
+    /// to the intact bond and round in circles; with this one the gap grows by
+    /// the ratio of both stiffnesses until the bond has let go: a jump.
+    constexpr unsigned int jump_iterations = 24;
+    constexpr double       jump_stiffness  = .02;
+
     /// Decohesion of one increment may cost this share of G_c A of the nodes
     /// that let go (theory D.4, step rule).
     constexpr double tolerated_decohesion = .1;
@@ -113,6 +121,7 @@ namespace demold
     contact.resize(points.size());
     if (description.friction > 0.)
       friction.resize(points.size());
+    just_closed.assign(points.size(), false);
     last_state.assign(points.size(), state_free);
     last_pairing.resize(points.size());
     for (const SlavePoint &point : points)
@@ -270,8 +279,10 @@ namespace demold
     const Point<3>     x     = x_points[p];
     const AnchorPlace  place = master.place(bond[p].anchor);
 
+    const bool may_jump = state.iteration > freeze_after &&
+                          state.iteration <= freeze_after + jump_iterations;
     std::optional<AdhesionStatus> forced;
-    if (state.iteration > freeze_after &&
+    if (state.iteration > freeze_after && !may_jump &&
         bond_trial[p].status != AdhesionStatus::separated)
       forced = static_cast<AdhesionStatus>(
         std::min(last_state[p], static_cast<int>(AdhesionStatus::separated)));
@@ -282,6 +293,13 @@ namespace demold
                                                 place.normal,
                                                 bond[p].state);
     count_change(p, static_cast<int>(response.status));
+    if (may_jump && response.status == AdhesionStatus::decohesion)
+      {
+        const Tensor<1, 3> gap = x - place.x;
+        response.dt_dg         = jump_stiffness * (response.traction * gap) /
+                         gap.norm_square() * unit_symmetric_tensor<3>();
+        response.dt_dn = Tensor<2, 3>();
+      }
 
     BondHistory &trial = bond_trial[p];
     trial.state        = response.state;
@@ -319,7 +337,8 @@ namespace demold
               const double w_b = b == 0 ? 1. : -place.N[b - 1];
               Tensor<2, 3> dt  = w_b * response.dt_dg;
               if (b > 0)
-                dt += response.dt_dn * place.dnormal[b - 1];
+                dt += response.dt_dn * place.dnormal[b - 1] -
+                      response.dt_dg * place.doffset[b - 1];
               for (unsigned int i = 0; i < 3; ++i)
                 for (unsigned int j = 0; j < 3; ++j)
                   K[3 * a + i][3 * b + j] = w_a * dt[i][j];
@@ -483,16 +502,11 @@ namespace demold
     const unsigned int dim = slave_surface.n_dimensions();
     for (unsigned int p = 0; p < points.size(); ++p)
       {
-        const bool intact = !bond.empty() && bond[p].bonded &&
-                            bond[p].status == AdhesionStatus::adhering;
-        if (!contact[p].closed && !intact)
+        if (!just_closed[p])
           continue;
-        Tensor<1, 3> n;
-        if (intact)
-          n = master.place(bond[p].anchor).normal;
-        else
-          n = contact_kinematics(*last_pairing[p], x_points[p], master.surface)
-                .normal;
+        const Tensor<1, 3> n =
+          contact_kinematics(*last_pairing[p], x_points[p], master.surface)
+            .normal;
         const Tensor<1, 3> v = master.velocity(x_points[p], 1e-3 * last_dt);
         const auto &       unknowns = slave.nodes[points[p].node].unknowns;
         list.push_back({{unknowns.begin(), unknowns.begin() + dim},
@@ -516,6 +530,8 @@ namespace demold
 
   void NodeToSegment::commit()
   {
+    for (unsigned int p = 0; p < points.size(); ++p)
+      just_closed[p] = contact_trial[p].closed && !contact[p].closed;
     contact  = contact_trial;
     friction = friction_trial;
     bond     = bond_trial;

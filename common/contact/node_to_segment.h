@@ -62,10 +62,9 @@ namespace demold
   /// Node-to-segment contact (thesis 3.1, 5.2): every slave point is held off
   /// the master by the penalty c_N, rubs by the moving friction cone and is
   /// tied to its anchor by the adhesion law (theory C.2, C.3). Forces are per
-  /// reference area. All tangents are exact, but for two small parts: the
-  /// rotation of the offset of a bond that began with a gap on a deformable
-  /// master, and the change of the friction weight omega within an increment.
-  /// With a rigid master, mixing with a = b^2 and no friction they are
+  /// reference area. The friction weight omega is that of the damage at the
+  /// start of the increment. All tangents are exact in the first iterations,
+  /// before states are frozen. With a rigid master, mixing with a = b^2 and no friction they are
   /// symmetric.
   class NodeToSegment : public Term
   {
@@ -152,6 +151,7 @@ namespace demold
            committed_external = 0., committed_impact = 0.,
            committed_stored = 0.;
 
+    std::vector<bool> just_closed; ///< in the last accepted increment
     std::vector<int> last_state; ///< of the last assembly, theory C.5
     std::vector<std::optional<ContactPoint>> last_pairing;
     unsigned int                             state_changes = 0;

@@ -86,6 +86,9 @@ namespace demold
         opening_at_peak = now.opening;
       }
 
+    largest_stretch = std::max(largest_stretch, now.stretch);
+    largest_tension = std::max(largest_tension, now.tension);
+
     if (!table && is_first)
       table =
         std::make_unique<ResultTable>(context.output_folder + "/history.csv",
@@ -139,6 +142,8 @@ namespace demold
     summary.set("kinetic energy [mJ]", e.kinetic);
     summary.set("released energy [mJ]", released);
     summary.set("jumps", n_jumps);
+    summary.set("largest principal stretch [-]", largest_stretch);
+    summary.set("largest principal tension [MPa]", largest_tension);
     summary.set("energy balance error [-]", energy_balance_error());
     if (has_interface)
       summary.set("bonded area left [mm^2]", last.bonded);
@@ -188,7 +193,9 @@ namespace demold
                                   largest_gap,
                                   released,
                                   static_cast<double>(n_jumps),
-                                  last.opening};
+                                  last.opening,
+                                  largest_stretch,
+                                  largest_tension};
     for (const double e : last.energies.as_array())
       values.push_back(e);
     return values;
@@ -204,8 +211,10 @@ namespace demold
     released        = values.at(5);
     n_jumps         = static_cast<unsigned int>(values.at(6));
     last.opening    = values.at(7);
+    largest_stretch = values.at(8);
+    largest_tension = values.at(9);
     std::array<double, Energies::n_entries> e;
-    std::copy_n(values.begin() + 8, e.size(), e.begin());
+    std::copy_n(values.begin() + 10, e.size(), e.begin());
     last.energies = Energies::from_array(e);
   }
 } // namespace demold

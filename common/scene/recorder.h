@@ -24,6 +24,8 @@ namespace demold
     double       bonded  = 0.; ///< [mm^2]
     double       closed  = 0.; ///< [mm^2] under pressure
     double       area    = 0.; ///< [mm^2] of the slave surface
+    double       stretch = 1.; ///< [-] largest principal one of a cell
+    double       tension = 0.; ///< [MPa] largest principal Cauchy stress
     Energies     energies;
     unsigned int iterations = 0;
     unsigned int rejected   = 0;
@@ -73,6 +75,8 @@ namespace demold
     double                       largest_entry = 0., largest_gap = 0.;
     double                       released   = 0.; ///< [mJ] in jumps
     double                       rows_saved = 0.;
+    double                       largest_stretch = 1.; ///< [-]
+    double                       largest_tension = 0.; ///< [MPa]
   };
 } // namespace demold
 

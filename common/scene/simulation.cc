@@ -10,6 +10,7 @@
 #include "scene/expression.h"
 #include "scene/field_output.h"
 #include "scene/interface_table.h"
+#include "scene/mould_output.h"
 #include "scene/recorder.h"
 #include "scene/scene_supports.h"
 #include "solid/dead_traction.h"
@@ -82,6 +83,8 @@ namespace demold
       Observation       observe(const IncrementRecord &record) const;
       double            measured_force(const double time) const;
       bool              is_released(const Observation &now);
+      void              make_fields();
+      void              write_fields();
       void              write_checkpoint();
       void              read_checkpoint();
       RunStatus         finish(const StrategyResult &result);
@@ -102,7 +105,9 @@ namespace demold
       LinearSolver                         linear_solver;
       Newton                               newton;
       Recorder                             recorder;
+      std::vector<const CellResults *>     solids;
       std::unique_ptr<FieldOutput<dim>>    fields;
+      std::unique_ptr<MouldOutput<dim>>    mould;
       IncrementState                       increment_state;
       unsigned int                         increments   = 0;
       double                               last_contact = 0.; ///< opening [mm]
@@ -137,8 +142,31 @@ namespace demold
       weak_form->setup();
       set_rigid_modes();
       if (parameters.fields_every > 0)
-        fields = std::make_unique<FieldOutput<dim>>(dof_handler,
-                                                    context.output_folder);
+        make_fields();
+    }
+
+    template <int dim>
+    void Simulation<dim>::make_fields()
+    {
+      fields = std::make_unique<FieldOutput<dim>>(
+        dof_handler,
+        solids,
+        parameters.interface.search_distance,
+        context.output_folder);
+      if (scene.mould)
+        mould = std::make_unique<MouldOutput<dim>>(*scene.mould,
+                                                   scene.motion,
+                                                   context.output_folder);
+    }
+
+    template <int dim>
+    void Simulation<dim>::write_fields()
+    {
+      if (!fields)
+        return;
+      fields->write(weak_form->accepted, interface, weak_form->time());
+      if (mould)
+        mould->write(weak_form->time());
     }
 
     template <int dim>
@@ -160,7 +188,11 @@ namespace demold
           description.law         = [&rubber, f90](const dealii::Point<3> &X) {
             return rubber.at((*f90)(0., X));
           };
-          weak_form->add(make_solid_term<dim>(dof_handler, description));
+          description.f90 = [f90](const dealii::Point<3> &X) {
+            return (*f90)(0., X);
+          };
+          solids.push_back(dynamic_cast<const CellResults *>(&weak_form->add(
+            make_solid_term<dim>(dof_handler, description))));
         }
       for (const TractionRule &rule : scene.tractions)
         weak_form->add(make_dead_traction<dim>(dof_handler,
@@ -235,6 +267,14 @@ namespace demold
           now.closed               = sums.closed * scene.symmetry_factor;
           now.area                 = sums.area * scene.symmetry_factor;
         }
+      for (const CellResults *solid : solids)
+        for (const CellResult &cell : solid->cell_results())
+          {
+            now.stretch = std::max(now.stretch, cell.largest_stretch);
+            now.tension = std::max(now.tension, cell.largest_tension);
+          }
+      now.stretch    = Utilities::MPI::max(now.stretch, communicator);
+      now.tension    = Utilities::MPI::max(now.tension, communicator);
       now.iterations = record.newton.iterations;
       now.rejected   = record.rejected;
       now.strategy   = record.strategy;
@@ -259,7 +299,7 @@ namespace demold
       recorder.record(now);
       ++increments;
       if (fields && increments % parameters.fields_every == 0)
-        fields->write(weak_form->accepted, interface, record.time);
+        write_fields();
       const bool ends = is_released(now);
       was_stopped     = stop_requested(communicator);
       if (was_stopped || (parameters.checkpoint_every > 0 &&
@@ -283,6 +323,7 @@ namespace demold
                       static_cast<double>(increments),
                       last_contact,
                       newton.largest_force});
+      checkpoint.put(fields ? fields->series.times() : std::vector<double>());
       checkpoint.finish();
     }
 
@@ -298,6 +339,11 @@ namespace demold
       increments              = static_cast<unsigned int>(values.at(2));
       last_contact            = values.at(3);
       newton.largest_force    = values.at(4);
+      const auto times        = file.get();
+      if (fields)
+        fields->series.restart(times);
+      if (mould)
+        mould->series.restart(times);
       recorder.restart();
     }
 
@@ -352,9 +398,7 @@ namespace demold
     {
       Timer clock;
       if (fields && increments % parameters.fields_every != 0)
-        fields->write(weak_form->accepted,
-                      interface,
-                      weak_form->time());
+        write_fields();
       if (interface != nullptr)
         write_interface_table(context.output_folder + "/interface.csv",
                               *interface);
@@ -419,8 +463,8 @@ namespace demold
       if (on_reference_blas())
         recorder.note(blas_advice());
       make_system();
-      if (fields && context.restart_folder.empty())
-        fields->write(weak_form->accepted, interface, 0.);
+      if (context.restart_folder.empty())
+        write_fields();
       return finish(solve());
     }
   } // namespace

@@ -79,7 +79,8 @@ namespace demold
     const double theta = volume_now / reference_volume;
 
     result.stored = result.dissipated = 0.;
-    mean_pressure                     = 0.;
+    result.stress = result.C = {};
+    mean_pressure            = 0.;
     for (std::size_t q = 0; q < points.size(); ++q)
       {
         PointState & s = states[q];
@@ -114,6 +115,13 @@ namespace demold
               s.tau[I] += T[I][K] * S[K];
           }
         mean_pressure += trace(s.tau) / 3. * points[q].weight;
+        for (unsigned int I = 0; I < 6; ++I)
+          {
+            // J of the volume element cancels that of sigma = tau/J.
+            result.stress[I] += s.tau[I] * points[q].weight / volume_now;
+            result.C[I] +=
+              C.access_raw_entry(I) * points[q].weight / reference_volume;
+          }
       }
     mean_pressure /= volume_now;
 

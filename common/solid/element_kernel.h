@@ -38,6 +38,8 @@ namespace demold
     double tangent[n][n]; ///< [N/mm], symmetric
     double stored;        ///< [mJ] at t_{n+1}
     double dissipated;    ///< [mJ] over the step
+    Voigt  stress;        ///< Cauchy, mean over the current volume [MPa]
+    Voigt  C;             ///< F^T F seen by the law, mean over the volume [-]
   };
 
   /// What the passes over the points share.

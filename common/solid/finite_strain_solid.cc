@@ -3,15 +3,20 @@
 #include "solid/finite_strain_solid.h"
 
 #include "base/plane_model.h"
+#include "solid/cell_results.h"
 #include "weak_form/assembler.h"
 #include "weak_form/vector_io.h"
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/symmetric_tensor.h>
 
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace demold
 {
@@ -19,8 +24,18 @@ namespace demold
 
   namespace
   {
+    /// Stress and C of one cell, twice six numbers in one row.
+    constexpr unsigned int n_means = 12;
+
+    double largest_eigenvalue(const double *six)
+    {
+      SymmetricTensor<2, 3> tensor;
+      std::copy(six, six + 6, tensor.begin_raw());
+      return eigenvalues(tensor)[0];
+    }
+
     template <int dim, int n_nodes>
-    class FiniteStrainSolid : public Term
+    class FiniteStrainSolid : public Term, public CellResults
     {
     public:
       FiniteStrainSolid(const DoFHandler<dim, dim> &dof_handler,
@@ -51,6 +66,12 @@ namespace demold
               cell->material_id() == description.material_id)
             cells.push_back(cell);
         make_laws();
+        trial_means.resize(n_means * cells.size(), 0.);
+        for (std::size_t k = 0; k < cells.size(); ++k)
+          std::fill_n(&trial_means[n_means * k + 6], 3, 1.); // C = 1
+        committed_means = trial_means;
+        for (const auto &cell : cells)
+          f90.push_back(description.f90(in_space(cell->center())));
       }
 
       std::string name() const override
@@ -93,6 +114,9 @@ namespace demold
               return false;
             stored += result.stored;
             dissipated += result.dissipated;
+            const auto mean = trial_means.begin() + n_means * k;
+            std::copy(result.stress.begin(), result.stress.end(), mean);
+            std::copy(result.C.begin(), result.C.end(), mean + 6);
             for (int i = 0; i < dim * n_nodes; ++i)
               residual(i) = result.residual[i];
             if (with_tangent)
@@ -118,7 +142,8 @@ namespace demold
 
       void commit() override
       {
-        committed = trial;
+        committed       = trial;
+        committed_means = trial_means;
         committed_viscous += dissipated;
         committed_stored = stored;
         dissipated       = 0.;
@@ -139,16 +164,34 @@ namespace demold
       void save(std::ostream &out) const override
       {
         write_values(out, committed);
+        write_values(out, committed_means);
         write_values(out, {committed_viscous, committed_stored});
       }
 
       void load(std::istream &in) override
       {
         committed = trial = read_values(in);
+        committed_means = trial_means = read_values(in);
         const auto sums   = read_values(in);
         committed_viscous = sums.at(0);
         committed_stored = stored = sums.at(1);
         dissipated                = 0.;
+      }
+
+      std::vector<CellResult> cell_results() const override
+      {
+        std::vector<CellResult> results(cells.size());
+        for (std::size_t k = 0; k < cells.size(); ++k)
+          {
+            const double *mean = &committed_means[n_means * k];
+            CellResult &  cell = results[k];
+            cell.index         = cells[k]->active_cell_index();
+            std::copy(mean, mean + 6, cell.stress.begin());
+            cell.largest_tension = largest_eigenvalue(mean);
+            cell.largest_stretch = std::sqrt(largest_eigenvalue(mean + 6));
+            cell.f90             = f90[k];
+          }
+        return results;
       }
 
     private:
@@ -211,6 +254,8 @@ namespace demold
       std::vector<RubberLaw> laws; ///< one, or one per point
       unsigned int           n_history = 0;
       std::vector<double>    committed, trial;
+      std::vector<double>    committed_means, trial_means; ///< n_means a cell
+      std::vector<double>    f90;                          ///< one a cell
       double                 committed_viscous = 0., committed_stored = 0.;
       double                 stored = 0., dissipated = 0.;
 

@@ -34,12 +34,17 @@ namespace demold
     std::string                element     = "q1p0"; ///< q1 | q1p0 | q2
     LawOfPoint                 law;
     bool                       uniform_law = true;
+
+    /// State of cure [-] at a reference position, for pictures only.
+    std::function<double(const dealii::Point<3> &)> f90 =
+      [](const dealii::Point<3> &) { return 1.; };
     PlaneModel                 plane;
   };
 
   /// Makes the term g(u) = sum over cells of int P : dF dV for every cell of
   /// @p dof_handler with the material id of @p description that this rank
-  /// owns (thesis eq. 2.66, first summand). The tangent is symmetric.
+  /// owns (thesis eq. 2.66, first summand). The tangent is symmetric. The term
+  /// is a CellResults too.
   template <int dim>
   std::unique_ptr<Term>
   make_solid_term(const dealii::DoFHandler<dim, dim> &dof_handler,

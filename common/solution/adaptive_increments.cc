@@ -8,6 +8,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace demold
@@ -69,6 +70,31 @@ namespace demold
     }
   } // namespace
 
+  IncrementVerdict judge_by_terms(const WeakForm &weak_form)
+  {
+    IncrementVerdict verdict;
+    for (const auto &term : weak_form.term_list())
+      {
+        const IncrementError error = term->increment_error();
+        if (error.ratio <= 0.)
+          continue;
+        // Errors of higher order are aimed at half of what is accepted.
+        const double aim = error.order > 1. ? .5 : 1.;
+        verdict.factor =
+          std::min(verdict.factor,
+                   .9 * std::pow(aim / error.ratio, 1. / error.order));
+        if (error.ratio > 1.)
+          {
+            verdict.accept = false;
+            verdict.reason = term->name() + " error is " +
+                             std::to_string(error.ratio) +
+                             " times what is tolerated";
+          }
+      }
+    verdict.factor = std::max(.1, verdict.factor);
+    return verdict;
+  }
+
   StrategyResult run_increments(WeakForm &                 weak_form,
                                 Newton &                   newton,
                                 const IncrementParameters &parameters,
@@ -99,7 +125,7 @@ namespace demold
         const NewtonReport report = newton.solve(weak_form);
         result.newton_iterations += report.iterations;
         const IncrementVerdict verdict =
-          report.converged ? hooks.judge() : IncrementVerdict();
+          report.converged ? hooks.judge(step) : IncrementVerdict();
 
         if (!report.converged || !verdict.accept)
           {

@@ -23,7 +23,7 @@ namespace demold
   {
     std::string                       name;
     std::function<void(double dt)>    before = [](double) {};
-    std::function<IncrementVerdict()> judge  = [] {
+    std::function<IncrementVerdict(double dt)> judge = [](double) {
       return IncrementVerdict();
     };
     std::function<void()> after_accept = [] {};
@@ -31,6 +31,10 @@ namespace demold
     /// Start Newton from an extrapolation of the last increment.
     bool extrapolate = true;
   };
+
+  /// Asks every term for the error of the converged trial: accept if none is
+  /// above 1, next dt by clip(0.9 min(ratio^(-1/order))) (theory D.4).
+  IncrementVerdict judge_by_terms(const WeakForm &weak_form);
 
   /// Goes from the accepted time to @p end_time. A failed or inaccurate
   /// increment is rolled back and repeated with a shorter one; below

@@ -6,9 +6,6 @@
 #include "solution/adaptive_increments.h"
 #include "weak_form/weak_form.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace demold
 {
   StrategyResult run_dynamics(WeakForm &                 weak_form,
@@ -22,27 +19,9 @@ namespace demold
     IncrementHooks hooks;
     hooks.name = "dynamics";
     weak_form.set_bulk_weight(1. - integrator.alpha_f());
-    hooks.judge = [&] {
+    hooks.judge = [&](double) {
       inertia.account_damping(weak_form);
-      IncrementVerdict verdict;
-      for (const auto &term : weak_form.term_list())
-        {
-          const IncrementError error = term->increment_error();
-          verdict.accept             = verdict.accept && error.ratio <= 1.;
-          // Second half of the tolerance is the margin between the error
-          // aimed at and the one still accepted.
-          if (error.ratio > 0.)
-            verdict.factor =
-              std::min(verdict.factor,
-                       .9 * std::pow(error.order > 1. ? .5 / error.ratio :
-                                                        1. / error.ratio,
-                                     1. / error.order));
-          if (error.ratio > 1.)
-            verdict.reason = term->name() + " error is " +
-                             std::to_string(error.ratio) +
-                             " times what is tolerated";
-        }
-      return verdict;
+      return judge_by_terms(weak_form);
     };
     hooks.after_accept = [&] {
       for (const auto &term : weak_form.term_list())

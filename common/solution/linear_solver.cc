@@ -44,8 +44,9 @@ namespace demold
     LinearSolverStatistics       statistics;
     MultigridSolver              multigrid_solver;
 
-    bool         symmetric = false;
-    unsigned int n_rows    = 0; // of the kept factor and hierarchy
+    unsigned int iterative_above = parameters.iterative_above;
+    bool         symmetric       = false;
+    unsigned int n_rows          = 0; // of the kept factor and hierarchy
 
     std::unique_ptr<Mumps> mumps;
     bool                   has_factor     = false;
@@ -164,6 +165,9 @@ namespace demold
   {
     implementation->multigrid_solver.multigrid
       .set_rigid_body_modes(modes, n_components);
+    // The factor of a plane mesh stays thin, that of a block does not.
+    if (implementation->parameters.iterative_above == 0)
+      implementation->iterative_above = n_components == 3 ? 8000 : 40000;
   }
 
 
@@ -194,7 +198,7 @@ namespace demold
     const bool   iterative =
       !has_extra_rows && p.linear != "direct" &&
       (p.linear == "iterative" ||
-       (A.m() > p.iterative_above && s.multigrid_solver.multigrid.has_modes()));
+       (A.m() > s.iterative_above && s.multigrid_solver.multigrid.has_modes()));
     Outcome      outcome = Outcome::solved;
     const double load    = b.l2_norm();
     if (load == 0. || !std::isfinite(load))

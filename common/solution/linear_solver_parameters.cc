@@ -19,7 +19,8 @@ namespace demold
                       Patterns::Selection("auto|direct|iterative"));
     prm.add_parameter("iterative above",
                       iterative_above,
-                      "number of unknowns from which auto is iterative [-]",
+                      "number of unknowns from which auto is iterative; 0: "
+                      "8000 in three dimensions, 40000 in two [-]",
                       Patterns::Integer(0));
     prm.add_parameter("relative tolerance",
                       relative_tolerance,

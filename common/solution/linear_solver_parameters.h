@@ -16,7 +16,7 @@ namespace demold
   struct LinearSolverParameters
   {
     std::string  linear             = "auto"; ///< auto, direct, iterative
-    unsigned int iterative_above    = 30000;  ///< unknowns, for auto
+    unsigned int iterative_above    = 0;      ///< unknowns, for auto
     double       relative_tolerance = 1e-2;   ///< [-]
     bool         reuse              = true;
     bool         reuse_factor       = false;

@@ -22,7 +22,7 @@ namespace demold
   struct NewtonParameters
   {
     unsigned int max_iterations     = 25;
-    double       residual_tolerance = 1e-7;
+    double       residual_tolerance = 1e-6;
     double       energy_tolerance   = 1e-10;
     bool         line_search        = false;
 

@@ -7,6 +7,13 @@
 
 namespace demold
 {
+  namespace
+  {
+    /// Increments shorter than this share of the largest one are not cut for
+    /// accuracy any more: what still happens in one of them is a jump.
+    constexpr double jump_resolution = 1e-3;
+  } // namespace
+
   StrategyResult run_quasi_static(WeakForm &                 weak_form,
                                   Newton &                   newton,
                                   const IncrementParameters &increments,
@@ -15,6 +22,12 @@ namespace demold
   {
     IncrementHooks hooks;
     hooks.name = "quasi-static";
+    hooks.judge = [&](const double dt) {
+      IncrementVerdict verdict = judge_by_terms(weak_form);
+      if (dt <= jump_resolution * increments.largest)
+        verdict.accept = true;
+      return verdict;
+    };
     weak_form.set_bulk_weight(1.);
     return run_increments(
       weak_form, newton, increments, end_time, hooks, on_accept);

@@ -10,7 +10,7 @@ namespace demold
   class WeakForm;
 
   /// Follows the equilibrium of @p weak_form to @p end_time with adaptive
-  /// increments. Where softening outruns the elastic unloading, the next
+  /// increments, as long as the terms find them accurate. Where softening outruns the elastic unloading, the next
   /// equilibrium is far away: the step is then a jump (theory D.1).
   StrategyResult run_quasi_static(WeakForm &                 weak_form,
                                   Newton &                   newton,

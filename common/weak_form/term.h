@@ -53,8 +53,8 @@ namespace demold
     double order = 1.; ///< the error grows like dt^order
   };
 
-  /// A node that is closed or bonded: its velocity along `normal` is that of
-  /// the mould (persistency, theory D.4).
+  /// A node that has met the mould: its velocity along `normal` is that of the
+  /// mould (persistency, theory D.4).
   struct ClosedPoint
   {
     std::vector<dealii::types::global_dof_index> unknowns; ///< dim entries
@@ -126,7 +126,9 @@ namespace demold
       return {};
     }
 
-    /// Points of this rank that a converged state keeps closed.
+    /// Points of this rank that have closed in the last accepted increment.
+    /// (Those of a penalty bond move against the mould while the bond gives,
+    /// so holding them longer would feed energy into the body.)
     virtual std::vector<ClosedPoint> closed_points() const
     {
       return {};
