@@ -28,7 +28,7 @@ namespace demold
     /// softens faster than the rubber gives way, the true tangent leads back
     /// to the intact bond and round in circles; with this one the gap grows by
     /// the ratio of both stiffnesses until the bond has let go: a jump.
-    constexpr unsigned int jump_iterations = 24;
+    constexpr unsigned int jump_iterations = 40;
     constexpr double       jump_stiffness  = .02;
 
     /// Decohesion of one increment may cost this share of G_c A of the nodes
@@ -292,7 +292,8 @@ namespace demold
       response = description.adhesion->evaluate(x - place.x,
                                                 place.normal,
                                                 bond[p].state);
-    count_change(p, static_cast<int>(response.status));
+    if (response.status != AdhesionStatus::separated)
+      count_change(p, static_cast<int>(response.status));
     if (may_jump && response.status == AdhesionStatus::decohesion)
       {
         const Tensor<1, 3> gap = x - place.x;

@@ -8,7 +8,7 @@
 #include "scene/interface_parameters.h"
 #include "solution/inertia.h"
 #include "solution/linear_solver.h"
-#include "solution/newton.h"
+#include "solution/nonlinear_solver.h"
 #include "solution/strategy.h"
 
 #include <string>

@@ -62,7 +62,7 @@ namespace demold
         , fe(FE_Q<dim>(parameters.element == "q2" ? 2 : 1), dim)
         , dof_handler(triangulation)
         , linear_solver(parameters.linear_solver, communicator)
-        , newton(parameters.newton, linear_solver)
+        , newton(make_nonlinear_solver(parameters.newton, linear_solver))
         , recorder(context, has_interface())
       {}
 
@@ -103,7 +103,7 @@ namespace demold
       std::unique_ptr<WeakForm>            weak_form;
       NodeToSegment *                      interface = nullptr;
       LinearSolver                         linear_solver;
-      Newton                               newton;
+      std::unique_ptr<NonlinearSolver> newton;
       Recorder                             recorder;
       std::vector<const CellResults *>     solids;
       std::unique_ptr<FieldOutput<dim>>    fields;
@@ -322,7 +322,7 @@ namespace demold
                       increment_state.last_dt,
                       static_cast<double>(increments),
                       last_contact,
-                      newton.largest_force});
+                      newton->largest_force});
       checkpoint.put(fields ? fields->series.times() : std::vector<double>());
       checkpoint.finish();
     }
@@ -338,7 +338,7 @@ namespace demold
       increment_state.last_dt = values.at(1);
       increments              = static_cast<unsigned int>(values.at(2));
       last_contact            = values.at(3);
-      newton.largest_force    = values.at(4);
+      newton->largest_force    = values.at(4);
       const auto times        = file.get();
       if (fields)
         fields->series.restart(times);
@@ -383,14 +383,14 @@ namespace demold
         read_checkpoint();
       if (dynamic)
         return run_dynamics(*weak_form,
-                            newton,
+                            *newton,
                             *inertia,
                             parameters.integrator,
                             increments,
                             scene.end_time,
                             on_accept);
       return run_quasi_static(
-        *weak_form, newton, increments, scene.end_time, on_accept);
+        *weak_form, *newton, increments, scene.end_time, on_accept);
     }
 
     template <int dim>
@@ -434,7 +434,7 @@ namespace demold
       const double time_linear  = linear.seconds_setup + linear.seconds_solve;
       seconds_output += clock.wall_time();
       const std::vector<std::pair<std::string, double>> times = {
-        {"assembly", newton.seconds_assembly - time_contact},
+        {"assembly", newton->seconds_assembly - time_contact},
         {"contact", time_contact},
         {"linear solver", time_linear},
         {"output", seconds_output}};

@@ -96,7 +96,7 @@ namespace demold
   }
 
   StrategyResult run_increments(WeakForm &                 weak_form,
-                                Newton &                   newton,
+                                NonlinearSolver &                   newton,
                                 const IncrementParameters &parameters,
                                 const double               end_time,
                                 const IncrementHooks &     hooks,

@@ -40,7 +40,7 @@ namespace demold
   /// increment is rolled back and repeated with a shorter one; below
   /// `smallest` the run gives up with the reason and the residual history.
   StrategyResult run_increments(WeakForm &                 weak_form,
-                                Newton &                   newton,
+                                NonlinearSolver &                   newton,
                                 const IncrementParameters &parameters,
                                 const double               end_time,
                                 const IncrementHooks &     hooks,

@@ -9,7 +9,7 @@
 namespace demold
 {
   StrategyResult run_dynamics(WeakForm &                 weak_form,
-                              Newton &                   newton,
+                              NonlinearSolver &                   newton,
                               Inertia &                  inertia,
                               const TimeIntegrator &     integrator,
                               const IncrementParameters &increments,

@@ -17,7 +17,7 @@ namespace demold
   /// are blended, interface forces enter at t_{n+1}; after each step closed
   /// points get the normal velocity of the mould.
   StrategyResult run_dynamics(WeakForm &                 weak_form,
-                              Newton &                   newton,
+                              NonlinearSolver &                   newton,
                               Inertia &                  inertia,
                               const TimeIntegrator &     integrator,
                               const IncrementParameters &increments,

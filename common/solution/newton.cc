@@ -5,7 +5,6 @@
 #include "solution/linear_solver.h"
 #include "weak_form/weak_form.h"
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
@@ -14,27 +13,6 @@
 namespace demold
 {
   using namespace dealii;
-
-  void NewtonParameters::add_parameters(ParameterHandler &prm)
-  {
-    prm.add_parameter("max iterations",
-                      max_iterations,
-                      "iterations after which an increment is cut [-]",
-                      Patterns::Integer(1, 1000));
-    prm.add_parameter("residual tolerance",
-                      residual_tolerance,
-                      "unbalanced force over the largest of bulk, interface "
-                      "and inertia force [-]",
-                      Patterns::Double(1e-14, 1e-1));
-    prm.add_parameter("energy tolerance",
-                      energy_tolerance,
-                      "work of the last correction over that of the largest "
-                      "one [-]",
-                      Patterns::Double(1e-20, 1.));
-    prm.add_parameter("line search",
-                      line_search,
-                      "halve corrections that do not reduce the residual");
-  }
 
   Newton::Newton(const NewtonParameters &parameters,
                  LinearSolver &          linear_solver)

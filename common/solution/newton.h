@@ -3,42 +3,11 @@
 #ifndef demold_solution_newton_h
 #define demold_solution_newton_h
 
+#include "solution/nonlinear_solver.h"
 #include "weak_form/algebra.h"
-
-#include <string>
-#include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace demold
 {
-  class LinearSolver;
-  class WeakForm;
-
-  /// Entries of section Solver that belong to Newton.
-  struct NewtonParameters
-  {
-    unsigned int max_iterations     = 25;
-    double       residual_tolerance = 1e-6;
-    double       energy_tolerance   = 1e-10;
-    bool         line_search        = false;
-
-    void add_parameters(dealii::ParameterHandler &prm);
-  };
-
-  /// What one increment cost and how it went.
-  struct NewtonReport
-  {
-    bool                      converged  = false;
-    unsigned int              iterations = 0;
-    std::vector<double>       residuals; ///< |R| / scale, one per assembly
-    std::vector<unsigned int> state_changes;
-    std::string               reason; ///< why not, in words
-  };
-
   /// Solves R(u) = 0 from the trial of the weak form. An increment has
   /// converged when the unbalanced force is below `residual tolerance` times
   /// the largest of bulk, interface and inertia forces (at least 1e-4 of their
@@ -46,18 +15,12 @@ namespace demold
   /// D.4) and the work of the last correction is below `energy tolerance`
   /// times that of the largest one; a tenth of the residual tolerance alone
   /// will do.
-  class Newton
+  class Newton : public NonlinearSolver
   {
   public:
     Newton(const NewtonParameters &parameters, LinearSolver &linear_solver);
 
-    NewtonReport solve(WeakForm &weak_form);
-
-    /// Seconds spent in assembly, all increments.
-    double seconds_assembly = 0.;
-
-    /// Largest force norm [N] of a converged increment; part of a checkpoint.
-    double largest_force = 0.;
+    NewtonReport solve(WeakForm &weak_form) override;
 
   private:
     bool   assemble(WeakForm &, bool tangent, NewtonReport &);

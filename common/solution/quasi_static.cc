@@ -15,7 +15,7 @@ namespace demold
   } // namespace
 
   StrategyResult run_quasi_static(WeakForm &                 weak_form,
-                                  Newton &                   newton,
+                                  NonlinearSolver &                   newton,
                                   const IncrementParameters &increments,
                                   const double               end_time,
                                   const OnAccept &           on_accept)

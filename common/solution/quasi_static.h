@@ -13,7 +13,7 @@ namespace demold
   /// increments, as long as the terms find them accurate. Where softening outruns the elastic unloading, the next
   /// equilibrium is far away: the step is then a jump (theory D.1).
   StrategyResult run_quasi_static(WeakForm &                 weak_form,
-                                  Newton &                   newton,
+                                  NonlinearSolver &                   newton,
                                   const IncrementParameters &increments,
                                   const double               end_time,
                                   const OnAccept &           on_accept);

@@ -3,7 +3,7 @@
 #ifndef demold_solution_strategy_h
 #define demold_solution_strategy_h
 
-#include "solution/newton.h"
+#include "solution/nonlinear_solver.h"
 
 #include <functional>
 #include <string>

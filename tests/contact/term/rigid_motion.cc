@@ -80,13 +80,14 @@ namespace
 
   struct Scene
   {
-    double gap;     ///< [mm] before anything moves
-    double opening; ///< [mm] along the normal when the rotation begins
-    double slip;
-    double friction;
-    bool   bonded;
+    double            gap;     ///< [mm] before anything moves
+    double            opening; ///< [mm] along z when the rotation begins
+    double            slip;    ///< [mm]
+    double            last; ///< slip when the rotation begins, over `slip`
+    double            friction;
+    bool              bonded;
     AdhesionUnloading unloading;
-    int    state; ///< of all points before the rotation
+    int               state; ///< of all points before the rotation
   };
 
   void check_rotation(const Scene &      scene,
@@ -119,10 +120,10 @@ namespace
       description,
       turning);
 
-    // closes or opens, slides, then slides back a little
+    // closes or opens, slides, then slides back or on a little
     Tensor<1, 3> shift;
     Values       base;
-    for (const double slip : {0., scene.slip, .95 * scene.slip})
+    for (const double slip : {0., scene.slip, scene.last * scene.slip})
       {
         shift[0]       = slip;
         shift[dim - 1] = scene.opening;
@@ -169,30 +170,31 @@ namespace
 
 TEST(RigidMotion, leaves_the_tractions_of_a_bonded_pair_unchanged)
 {
-  check_rotation({0., .004, .003, 0., true, AdhesionUnloading::damage, 0});
+  check_rotation({0., .004, .003, .95, 0., true, AdhesionUnloading::damage, 0});
 }
 
 TEST(RigidMotion, leaves_the_tractions_of_damaged_bonds_unchanged)
 {
-  check_rotation({0., .04, .04, 0., true, AdhesionUnloading::damage, 2});
+  check_rotation({0., .04, .04, .95, 0., true, AdhesionUnloading::damage, 2});
 }
 
 TEST(RigidMotion, leaves_the_tractions_of_plastically_unloaded_bonds_unchanged)
 {
-  check_rotation({0., .04, .04, 0., true, AdhesionUnloading::plastic, 2});
+  check_rotation({0., .04, .04, .95, 0., true, AdhesionUnloading::plastic, 2});
 }
 
 TEST(RigidMotion, leaves_the_tractions_of_bonds_over_a_gap_unchanged)
 {
-  check_rotation({.03, .004, .003, 0., true, AdhesionUnloading::damage, 0});
+  check_rotation({.03, .004, .003, .95, 0., true, AdhesionUnloading::damage, 0});
 }
 
 TEST(RigidMotion, leaves_pressure_and_friction_of_a_sliding_pair_unchanged)
 {
-  check_rotation({0., -.05, .3, .3, false, AdhesionUnloading::damage, 4});
+  check_rotation({0., -.05, .3, .95, .3, false, AdhesionUnloading::damage, 4});
+  check_rotation({0., -.05, .3, 1.1, .3, false, AdhesionUnloading::damage, 5});
 }
 
 TEST(RigidMotion, leaves_pressure_friction_and_bonds_together_unchanged)
 {
-  check_rotation({0., -.05, .1, .3, true, AdhesionUnloading::damage, 2});
+  check_rotation({0., -.05, .1, .95, .3, true, AdhesionUnloading::damage, 2});
 }
