@@ -62,6 +62,25 @@ namespace demold
 
 
 
+    /// The value of an entry whose name ends in "file": a name found beside the
+    /// parameter file becomes its path from the working directory.
+    std::string file_value(const std::string &name,
+                           const std::string &value,
+                           const fs::path    &parameter_file)
+    {
+      const std::string ending = "file";
+      const bool names_file = name.size() >= ending.size() &&
+                              name.compare(name.size() - ending.size(),
+                                           ending.size(),
+                                           ending) == 0;
+      if (!names_file || value.empty() || fs::path(value).is_absolute())
+        return value;
+      const fs::path beside = parameter_file.parent_path() / value;
+      return fs::exists(beside) ? beside.string() : value;
+    }
+
+
+
     /// @p word is the first word of the line, @p rest what follows it.
     void interpret(const std::string &word,
                    const std::string &rest,
@@ -79,8 +98,10 @@ namespace demold
                                  "\" lacks \"=\". Write: set name = value");
           auto path = reading.sections;
           path.push_back(single_spaced(rest.substr(0, equals)));
+          const std::string value =
+            file_value(path.back(), trimmed(rest.substr(equals + 1)), file);
           reading.statements.push_back(
-            {Statement::entry, path, trimmed(rest.substr(equals + 1)), origin});
+            {Statement::entry, path, value, origin});
         }
       else if (word == "subsection" || word == "SUBSECTION")
         {

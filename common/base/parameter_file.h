@@ -33,7 +33,8 @@ namespace demold
   /// name`, `end`, `include FILE`, comments from `#` on, and `\` at the end of
   /// a line that goes on in the next. deal.II itself looks for included files
   /// in the working directory only; here FILE is sought beside the including
-  /// file first. Statements come in the order in which they take effect.
+  /// file first, and so is the value of an entry whose name ends in "file".
+  /// Statements come in the order in which they take effect.
   /// Throws ExcParameter with file and line for what cannot be understood.
   std::vector<ParameterStatement> read_parameter_file(const std::string &file);
 } // namespace demold

@@ -121,6 +121,12 @@ namespace demold
         return normal * master_normal < opposed_normals;
       }
 
+      double
+      reach() const
+      {
+        return std::max(limits.depth, limits.search_distance);
+      }
+
       bool
       admits(const double gap) const
       {
@@ -173,6 +179,10 @@ namespace demold
       double                    bound = std::numeric_limits<double>::max();
       for (const unsigned int f : query.candidates)
         {
+          const FacetBound &ball = query.surface.bound(f);
+          if (!ball.may_hold_foot(query.x, query.reach()) ||
+              (ball.is_plane && !query.opposes(ball.normal)))
+            continue;
           const auto facet = query.surface.facet_positions(f);
           const auto foot  = project(query.x, facet);
           if (!foot.found || !query.opposes(foot.normal) ||

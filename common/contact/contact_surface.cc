@@ -67,6 +67,7 @@ namespace demold
     find_edges();
     check_orientation();
     find_interior_nodes();
+    find_bounds();
   }
 
   void
@@ -77,6 +78,15 @@ namespace demold
                            " nodes was given " +
                            std::to_string(positions.size()) + " positions."));
     x = positions;
+    find_bounds();
+  }
+
+  void
+  ContactSurface::find_bounds()
+  {
+    bounds.clear();
+    for (unsigned int f = 0; f < n_facets(); ++f)
+      bounds.emplace_back(facet_positions(f));
   }
 
   FacetPositions

@@ -4,6 +4,7 @@
 #define demold_contact_contact_surface_h
 
 #include "contact/facet.h"
+#include "contact/facet_bound.h"
 
 #include <array>
 #include <vector>
@@ -98,6 +99,13 @@ namespace demold
     FacetPositions
     facet_positions(const unsigned int f) const;
 
+    /// Ball and mean normal of facet @p f now.
+    const FacetBound &
+    bound(const unsigned int f) const
+    {
+      return bounds[f];
+    }
+
     const std::vector<FacetEdge> &
     edges() const
     {
@@ -164,6 +172,9 @@ namespace demold
     std::vector<std::array<unsigned int, 4>> edges_of_facet;
     std::vector<std::vector<unsigned int>>   facets_of_node;
     std::vector<bool>                        interior;
+    std::vector<FacetBound>                  bounds;
+
+    void find_bounds();
 
     void
     check_facets() const;

@@ -196,6 +196,8 @@ namespace demold
               facets.push_back(bond[p].anchor.facet);
             if (!friction.empty() && friction[p].active)
               facets.push_back(friction[p].stick.facet);
+            if (last_pairing[p]) // frozen, it may have left the candidates
+              facets.push_back(last_pairing[p]->facet);
             std::set<unsigned int> nodes;
             for (const unsigned int f : facets)
               for (unsigned int i = 0; i < master.surface.facet(f).n_nodes; ++i)
@@ -286,9 +288,14 @@ namespace demold
         bond_trial[p].status != AdhesionStatus::separated)
       forced = static_cast<AdhesionStatus>(
         std::min(last_state[p], static_cast<int>(AdhesionStatus::separated)));
+    // The mould has moved and the rubber has not followed yet: an intact bond
+    // that softened here would find the unstable branch before its peak.
+    const bool first = state.iteration == 0;
+    if (first && bond[p].status == AdhesionStatus::adhering)
+      forced = AdhesionStatus::adhering;
     AdhesionResponse response = description.adhesion->evaluate(
       x - place.x, place.normal, bond[p].state, forced);
-    if (!response.consistent) // freezing must not end in a wrong state
+    if (!response.consistent && !first) // freezing must not end in a wrong state
       response = description.adhesion->evaluate(x - place.x,
                                                 place.normal,
                                                 bond[p].state);

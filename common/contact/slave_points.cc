@@ -18,7 +18,7 @@ namespace demold
     Tensor<1, 3> centre_normal(const ContactSurface &surface,
                                const unsigned int    facet)
     {
-      return facet_frame(surface.facet_positions(facet), {{0., 0.}}).normal;
+      return surface.bound(facet).normal;
     }
 
     /// Number of the patch of each facet.

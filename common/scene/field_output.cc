@@ -44,13 +44,12 @@ namespace demold
     {
       // In a plane the shears out of it vanish.
       constexpr unsigned int n_stresses = dim == 2 ? 4 : 6;
-      const char *const      components[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
+      const char *const components[]    = {"xx", "yy", "zz", "xy", "xz", "yz"};
       std::vector<CellField> fields;
       for (unsigned int I = 0; I < n_stresses; ++I)
         fields.push_back({std::string("stress_") + components[I], {}});
-      for (const char *const name : {"largest_principal_tension",
-                                     "largest_principal_stretch",
-                                     "cure"})
+      for (const char *const name :
+           {"largest_principal_tension", "largest_principal_stretch", "cure"})
         fields.push_back({name, {}});
       for (CellField &field : fields)
         field.values.reinit(n_cells);
@@ -86,7 +85,7 @@ namespace demold
   template <int dim>
   void FieldOutput<dim>::find_nodes()
   {
-    const auto &fe = dof_handler.get_fe();
+    const auto                          &fe = dof_handler.get_fe();
     std::vector<types::global_dof_index> unknowns(fe.n_dofs_per_cell());
     std::vector<types::global_dof_index> numbers(
       node_element.n_dofs_per_cell());
@@ -136,7 +135,7 @@ namespace demold
   }
 
   template <int dim>
-  void FieldOutput<dim>::write(const Vector &       displacement,
+  void FieldOutput<dim>::write(const Vector        &displacement,
                                const NodeToSegment *interface,
                                const double         time)
   {
@@ -152,7 +151,8 @@ namespace demold
       std::vector<std::string>(dim, "displacement"),
       DataOut<dim>::type_dof_data,
       std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-        dim, DataComponentInterpretation::component_is_part_of_vector));
+        dim,
+        DataComponentInterpretation::component_is_part_of_vector));
 
     std::list<Vector> point_data; // DataOut keeps addresses
     if (interface != nullptr)

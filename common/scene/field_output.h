@@ -31,14 +31,14 @@ namespace demold
   {
   public:
     /// @p dof_handler and @p solids must live as long as this.
-    FieldOutput(const dealii::DoFHandler<dim, dim> &    dof_handler,
+    FieldOutput(const dealii::DoFHandler<dim, dim>     &dof_handler,
                 const std::vector<const CellResults *> &solids,
                 double                                  search_distance,
-                const std::string &                     output_folder);
+                const std::string                      &output_folder);
 
     /// Collective. @p displacement owned entries; @p interface may be null;
     /// @p time [s].
-    void write(const Vector &       displacement,
+    void write(const Vector        &displacement,
                const NodeToSegment *interface,
                double               time);
 
@@ -48,24 +48,24 @@ namespace demold
     /// What a node of the interface shows, in the order of the names above.
     struct PointField
     {
-      std::string                                     name;
-      double                                          elsewhere;
+      std::string                                       name;
+      double                                            elsewhere;
       std::map<dealii::types::global_dof_index, double> values;
     };
 
     std::vector<PointField> point_fields(const NodeToSegment &interface) const;
     void                    find_nodes();
 
-    const dealii::DoFHandler<dim, dim> &   dof_handler;
+    const dealii::DoFHandler<dim, dim>    &dof_handler;
     const std::vector<const CellResults *> solids;
     const double                           search_distance;
 
     /// One unknown per node, and which one belongs to the node with a given
     /// first displacement unknown, for nodes of boundary cells.
-    const dealii::FE_Q<dim>                            node_element;
-    dealii::DoFHandler<dim>                            nodes;
-    std::map<dealii::types::global_dof_index,
-             dealii::types::global_dof_index> node_of_unknown;
+    const dealii::FE_Q<dim> node_element;
+    dealii::DoFHandler<dim> nodes;
+    std::map<dealii::types::global_dof_index, dealii::types::global_dof_index>
+      node_of_unknown;
   };
 } // namespace demold
 

@@ -56,8 +56,8 @@ namespace demold
     DataOutBase::write_pvd_record(pvd, present);
     pvd.close();
     if (!pvd)
-      throw std::runtime_error("could not write " + output_folder + "/" +
-                               name + ".pvd; is the disk full?");
+      throw std::runtime_error("could not write " + output_folder + "/" + name +
+                               ".pvd; is the disk full?");
   }
 
   std::vector<double> FileSeries::times() const

@@ -44,8 +44,8 @@ namespace demold
 
   template <int dim>
   MouldOutput<dim>::MouldOutput(const RigidSurface &surface,
-                                const RigidMotion & motion,
-                                const std::string & output_folder)
+                                const RigidMotion  &motion,
+                                const std::string  &output_folder)
     : series(output_folder, "mould", "mould-")
     , surface(surface)
     , motion(motion)

@@ -19,8 +19,8 @@ namespace demold
   public:
     /// Both references must live as long as this.
     MouldOutput(const RigidSurface &surface,
-                const RigidMotion & motion,
-                const std::string & output_folder);
+                const RigidMotion  &motion,
+                const std::string  &output_folder);
 
     /// Collective; the first rank writes. @p time [s]. Throws
     /// std::runtime_error when the disk is full.
@@ -30,7 +30,7 @@ namespace demold
 
   private:
     const RigidSurface &surface;
-    const RigidMotion & motion;
+    const RigidMotion  &motion;
   };
 } // namespace demold
 

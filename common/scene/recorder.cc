@@ -48,11 +48,11 @@ namespace demold
   {
     if (!is_first)
       return;
-    table = std::make_unique<ResultTable>(
-      context.output_folder + "/history.csv",
-      column_names(),
-      context.restart_output + "/history.csv",
-      static_cast<unsigned int>(rows_saved));
+    table =
+      std::make_unique<ResultTable>(context.output_folder + "/history.csv",
+                                    column_names(),
+                                    context.restart_output + "/history.csv",
+                                    static_cast<unsigned int>(rows_saved));
   }
 
   void Recorder::record(const Observation &now)
@@ -96,8 +96,11 @@ namespace demold
     rows_saved += 1.;
     if (table)
       {
-        std::vector<ResultTable::Value> row = {
-          now.time, now.opening, now.force, now.bonded, now.closed};
+        std::vector<ResultTable::Value> row = {now.time,
+                                               now.opening,
+                                               now.force,
+                                               now.bonded,
+                                               now.closed};
         for (const double e : after)
           row.emplace_back(e);
         row.emplace_back(released);
@@ -159,27 +162,26 @@ namespace demold
     progress.print(summary);
   }
 
-  void Recorder::draw(
-    const std::vector<std::pair<std::string, double>> &times) const
+  void
+  Recorder::draw(const std::vector<std::pair<std::string, double>> &times) const
   {
     if (!is_first)
       return;
     std::vector<std::string> energies;
     for (const std::string &entry : Energies::names())
       energies.push_back(entry + " [mJ]");
-    const std::string problem = draw_plots(
-      context.output_folder,
-      {{"force-over-opening",
-        "Force over opening",
-        "opening [mm]",
-        {"force [N]"},
-        "force [N]"},
-       {"energies-over-opening",
-        "Energies over opening",
-        "opening [mm]",
-        energies,
-        "energy [mJ]"}},
-      times);
+    const std::string problem = draw_plots(context.output_folder,
+                                           {{"force-over-opening",
+                                             "Force over opening",
+                                             "opening [mm]",
+                                             {"force [N]"},
+                                             "force [N]"},
+                                            {"energies-over-opening",
+                                             "Energies over opening",
+                                             "opening [mm]",
+                                             energies,
+                                             "energy [mJ]"}},
+                                           times);
     if (!problem.empty() && !context.quiet)
       std::cout << problem << std::endl;
   }

@@ -73,8 +73,8 @@ namespace demold
     Observation                  last;
     double                       peak_force = 0., opening_at_peak = 0.;
     double                       largest_entry = 0., largest_gap = 0.;
-    double                       released   = 0.; ///< [mJ] in jumps
-    double                       rows_saved = 0.;
+    double                       released        = 0.; ///< [mJ] in jumps
+    double                       rows_saved      = 0.;
     double                       largest_stretch = 1.; ///< [-]
     double                       largest_tension = 0.; ///< [MPa]
   };

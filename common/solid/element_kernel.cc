@@ -32,7 +32,7 @@ namespace demold
 
   template <int dim, int n_nodes>
   bool ElementKernel<dim, n_nodes>::kinematics(const std::vector<Point> &points,
-                                               const double *            u)
+                                               const double             *u)
   {
     volume_now = 0.;
     for (std::size_t q = 0; q < points.size(); ++q)
@@ -57,17 +57,16 @@ namespace demold
   }
 
   template <int dim, int n_nodes>
-  bool
-  ElementKernel<dim, n_nodes>::evaluate(const std::vector<Point> &points,
-                                        const double *            u,
-                                        const RubberLaw *         laws,
-                                        const unsigned int        law_stride,
-                                        const VolumeTreatment     volume,
-                                        const double              dt,
-                                        const double *            old_history,
-                                        double *                  new_history,
-                                        const bool                with_tangent,
-                                        Result &                  result)
+  bool ElementKernel<dim, n_nodes>::evaluate(const std::vector<Point> &points,
+                                             const double             *u,
+                                             const RubberLaw          *laws,
+                                             const unsigned int    law_stride,
+                                             const VolumeTreatment volume,
+                                             const double          dt,
+                                             const double         *old_history,
+                                             double               *new_history,
+                                             const bool            with_tangent,
+                                             Result               &result)
   {
     states.resize(points.size());
     if (!kinematics(points, u))
@@ -83,7 +82,7 @@ namespace demold
     mean_pressure            = 0.;
     for (std::size_t q = 0; q < points.size(); ++q)
       {
-        PointState & s = states[q];
+        PointState  &s = states[q];
         const double f = volume == VolumeTreatment::mean_dilatation ?
                            std::cbrt(theta / s.J) :
                            1.;
@@ -94,9 +93,8 @@ namespace demold
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int j = i; j < 3; ++j)
             C[i][j] = s.Fbar[0][i] * s.Fbar[0][j] +
-                      s.Fbar[1][i] * s.Fbar[1][j] +
-                      s.Fbar[2][i] * s.Fbar[2][j];
-        const RubberLaw &  law       = laws[q * law_stride];
+                      s.Fbar[1][i] * s.Fbar[1][j] + s.Fbar[2][i] * s.Fbar[2][j];
+        const RubberLaw   &law       = laws[q * law_stride];
         const unsigned int n_history = law.n_history();
         law.evaluate(C,
                      dt,
@@ -145,12 +143,11 @@ namespace demold
   }
 
   template <int dim, int n_nodes>
-  void
-  ElementKernel<dim, n_nodes>::add_point(const Point &         point,
-                                         const PointState &    s,
-                                         const VolumeTreatment volume,
-                                         const bool            with_tangent,
-                                         Result &              result)
+  void ElementKernel<dim, n_nodes>::add_point(const Point          &point,
+                                              const PointState     &s,
+                                              const VolumeTreatment volume,
+                                              const bool with_tangent,
+                                              Result    &result)
   {
     const bool    mean = volume == VolumeTreatment::mean_dilatation;
     const double  w    = point.weight;
@@ -190,9 +187,8 @@ namespace demold
     if (!with_tangent)
       return;
 
-    VoigtMatrix c =
-      push_forward(push_forward_map(s.Fbar), s.response.dS_dE);
-    Voigt y = {};
+    VoigtMatrix c = push_forward(push_forward_map(s.Fbar), s.response.dS_dE);
+    Voigt       y = {};
     if (mean)
       {
         double unit_c_unit;
@@ -201,9 +197,9 @@ namespace demold
         for (unsigned int I = 0; I < 6; ++I)
           {
             for (unsigned int K = 0; K < 6; ++K)
-              c[I][K] += -2. / 3. * (s.tau[I] * unit[K] + unit[I] * s.tau[K]) +
-                         (2. / 3. * mean_tau + s.J * mean_pressure) * unit[I] *
-                           unit[K];
+              c[I][K] +=
+                -2. / 3. * (s.tau[I] * unit[K] + unit[I] * s.tau[K]) +
+                (2. / 3. * mean_tau + s.J * mean_pressure) * unit[I] * unit[K];
             c[I][I] += (I < 3 ? 2. : 1.) * shift;
             y[I] = y[I] / 3. + 2. / 3. * (s.tau[I] - mean_tau * unit[I]);
           }

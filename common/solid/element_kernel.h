@@ -34,7 +34,7 @@ namespace demold
   {
     static constexpr int n = dim * n_nodes; ///< unknown a*dim + i
 
-    double residual[n]; ///< [N]
+    double residual[n];   ///< [N]
     double tangent[n][n]; ///< [N/mm], symmetric
     double stored;        ///< [mJ] at t_{n+1}
     double dissipated;    ///< [mJ] over the step
@@ -69,28 +69,28 @@ namespace demold
     /// @param laws one law, or one per point.
     /// @param old_history,new_history n_history doubles per point.
     /// @return false if a point has J <= 0; the result is then unusable.
-    bool evaluate(const std::vector<Point> &  points,
-                  const double *              u,
-                  const RubberLaw *           laws,
-                  const unsigned int          law_stride,
-                  const VolumeTreatment       volume,
-                  const double                dt,
-                  const double *              old_history,
-                  double *                    new_history,
-                  const bool                  with_tangent,
-                  Result &                    result);
+    bool evaluate(const std::vector<Point> &points,
+                  const double             *u,
+                  const RubberLaw          *laws,
+                  const unsigned int        law_stride,
+                  const VolumeTreatment     volume,
+                  const double              dt,
+                  const double             *old_history,
+                  double                   *new_history,
+                  const bool                with_tangent,
+                  Result                   &result);
 
   private:
     bool kinematics(const std::vector<Point> &points, const double *u);
-    void add_point(const Point &         point,
-                   const PointState &    state,
+    void add_point(const Point          &point,
+                   const PointState     &state,
                    const VolumeTreatment volume,
                    const bool            with_tangent,
-                   Result &              result);
+                   Result               &result);
     void add_mean_dilatation_coupling(Result &result) const;
 
     std::vector<PointState> states;
-    double                  volume_now; ///< v [mm^3]
+    double                  volume_now;    ///< v [mm^3]
     double                  mean_pressure; ///< p = sum(tr tau dV)/(3 v) [MPa]
     double                  mean_divergence[dim * n_nodes]; ///< of each unknown
     double                  coupling[dim * n_nodes];

@@ -35,11 +35,13 @@ namespace demold
     }
 
     template <int dim, int n_nodes>
-    class FiniteStrainSolid : public Term, public CellResults
+    class FiniteStrainSolid
+      : public Term
+      , public CellResults
     {
     public:
       FiniteStrainSolid(const DoFHandler<dim, dim> &dof_handler,
-                        const SolidDescription &    description)
+                        const SolidDescription     &description)
         : description(description)
         , volume(description.element == "q1p0" ?
                    VolumeTreatment::mean_dilatation :
@@ -91,9 +93,9 @@ namespace demold
 
       bool assemble(const Configuration &now, Assembler &assembler) override
       {
-        const bool   with_tangent = assembler.with_tangent();
-        const auto   stride       = n_history * quadrature.size();
-        double       u[dim * n_nodes];
+        const bool with_tangent = assembler.with_tangent();
+        const auto stride       = n_history * quadrature.size();
+        double     u[dim * n_nodes];
         stored = dissipated = 0.;
         for (std::size_t k = 0; k < cells.size(); ++k)
           {
@@ -172,8 +174,8 @@ namespace demold
       {
         committed = trial = read_values(in);
         committed_means = trial_means = read_values(in);
-        const auto sums   = read_values(in);
-        committed_viscous = sums.at(0);
+        const auto sums               = read_values(in);
+        committed_viscous             = sums.at(0);
         committed_stored = stored = sums.at(1);
         dissipated                = 0.;
       }
@@ -184,7 +186,7 @@ namespace demold
         for (std::size_t k = 0; k < cells.size(); ++k)
           {
             const double *mean = &committed_means[n_means * k];
-            CellResult &  cell = results[k];
+            CellResult   &cell = results[k];
             cell.index         = cells[k]->active_cell_index();
             std::copy(mean, mean + 6, cell.stress.begin());
             cell.largest_tension = largest_eigenvalue(mean);
@@ -214,10 +216,9 @@ namespace demold
                 const unsigned int i = kernel_to_cell[a * dim];
                 for (int j = 0; j < dim; ++j)
                   points[q].gradient[a][j] = fe_values.shape_grad(i, q)[j];
-                points[q].hoop[a] =
-                  description.plane.axisymmetric && dim == 2 ?
-                    fe_values.shape_value(i, q) / X[0] :
-                    0.;
+                points[q].hoop[a] = description.plane.axisymmetric && dim == 2 ?
+                                      fe_values.shape_value(i, q) / X[0] :
+                                      0.;
               }
           }
       }
@@ -238,7 +239,8 @@ namespace demold
           return;
         n_history = laws[0].n_history();
         committed.resize(cells.size() * points.size() * n_history);
-        for (std::size_t p = 0; n_history > 0 && p < cells.size() * points.size();
+        for (std::size_t p = 0;
+             n_history > 0 && p < cells.size() * points.size();
              ++p)
           laws[laws.size() > 1 ? p : 0].initialize(committed.data() +
                                                    p * n_history);
@@ -259,20 +261,19 @@ namespace demold
       double                 committed_viscous = 0., committed_stored = 0.;
       double                 stored = 0., dissipated = 0.;
 
-      ElementKernel<dim, n_nodes>              kernel;
-      ElementResult<dim, n_nodes>              result;
-      std::vector<ElementPoint<dim, n_nodes>>  points;
-      std::vector<types::global_dof_index>     indices, cell_indices;
-      std::vector<unsigned int>                kernel_to_cell;
-      dealii::Vector<double>                   residual;
-      FullMatrix<double>                       tangent;
+      ElementKernel<dim, n_nodes>             kernel;
+      ElementResult<dim, n_nodes>             result;
+      std::vector<ElementPoint<dim, n_nodes>> points;
+      std::vector<types::global_dof_index>    indices, cell_indices;
+      std::vector<unsigned int>               kernel_to_cell;
+      dealii::Vector<double>                  residual;
+      FullMatrix<double>                      tangent;
     };
   } // namespace
 
   template <int dim>
-  std::unique_ptr<Term>
-  make_solid_term(const DoFHandler<dim, dim> &dof_handler,
-                  const SolidDescription &    description)
+  std::unique_ptr<Term> make_solid_term(const DoFHandler<dim, dim> &dof_handler,
+                                        const SolidDescription     &description)
   {
     constexpr int linear = dim == 2 ? 4 : 8, quadratic = dim == 2 ? 9 : 27;
     if (dof_handler.get_fe().degree == 1)
@@ -282,8 +283,8 @@ namespace demold
                                                                description);
   }
 
-  template std::unique_ptr<Term>
-  make_solid_term<2>(const DoFHandler<2, 2> &, const SolidDescription &);
-  template std::unique_ptr<Term>
-  make_solid_term<3>(const DoFHandler<3, 3> &, const SolidDescription &);
+  template std::unique_ptr<Term> make_solid_term<2>(const DoFHandler<2, 2> &,
+                                                    const SolidDescription &);
+  template std::unique_ptr<Term> make_solid_term<3>(const DoFHandler<3, 3> &,
+                                                    const SolidDescription &);
 } // namespace demold

@@ -3,9 +3,9 @@
 #ifndef demold_solid_finite_strain_solid_h
 #define demold_solid_finite_strain_solid_h
 
+#include "base/plane_model.h"
 #include "material/rubber_law.h"
 #include "solid/element_kernel.h"
-#include "base/plane_model.h"
 #include "weak_form/term.h"
 
 #include <deal.II/base/point.h>
@@ -38,7 +38,7 @@ namespace demold
     /// State of cure [-] at a reference position, for pictures only.
     std::function<double(const dealii::Point<3> &)> f90 =
       [](const dealii::Point<3> &) { return 1.; };
-    PlaneModel                 plane;
+    PlaneModel plane;
   };
 
   /// Makes the term g(u) = sum over cells of int P : dF dV for every cell of
@@ -48,7 +48,7 @@ namespace demold
   template <int dim>
   std::unique_ptr<Term>
   make_solid_term(const dealii::DoFHandler<dim, dim> &dof_handler,
-                  const SolidDescription &            description);
+                  const SolidDescription             &description);
 } // namespace demold
 
 #endif

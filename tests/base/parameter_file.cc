@@ -155,5 +155,17 @@ namespace demold
         folder.write("a.prm", "subsection A\ninclude b.prm\nend\n"));
       EXPECT_TRUE(contains(message, "b.prm:1")) << message;
     }
+
+    TEST(ParameterFile, a_named_file_is_sought_beside_the_parameter_file)
+    {
+      ScratchFolder folder;
+      folder.write("mesh.msh", "");
+      const auto statements = read_parameter_file(
+        folder.write("a.prm",
+                     "set mesh file = mesh.msh\nset other file = none.msh\n"));
+      ASSERT_EQ(statements.size(), 2u);
+      EXPECT_EQ(statements[0].value, folder / "mesh.msh");
+      EXPECT_EQ(statements[1].value, "none.msh");
+    }
   } // namespace
 } // namespace demold

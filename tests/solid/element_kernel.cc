@@ -65,11 +65,10 @@ namespace
               for (int j = 0; j < dim; ++j)
                 jacobian[i][j] += X[a][i] * dN[a][j];
           }
-        const double                J = determinant(jacobian);
-        const Matrix3               G = inverse(jacobian, J);
+        const double               J = determinant(jacobian);
+        const Matrix3              G = inverse(jacobian, J);
         ElementPoint<dim, n_nodes> point;
-        point.weight =
-          J / std::pow(2., dim) * (hoop ? 2. * M_PI * radius : 1.);
+        point.weight = J / std::pow(2., dim) * (hoop ? 2. * M_PI * radius : 1.);
         for (int a = 0; a < n_nodes; ++a)
           {
             point.hoop[a] = hoop ? N[a] / radius : 0.;
@@ -152,8 +151,8 @@ namespace
             if (!viscous) // the elastic residual has a potential
               {
                 EXPECT_NEAR((plus.stored - minus.stored) / (2. * h),
-                          result.residual[j],
-                          1e-6 * largest);
+                            result.residual[j],
+                            1e-6 * largest);
               }
             for (int i = 0; i < n; ++i)
               {
@@ -182,8 +181,16 @@ namespace
       v = wobble(random);
     ElementKernel<dim, n_nodes> kernel;
     ElementResult<dim, n_nodes> result;
-    ASSERT_TRUE(kernel.evaluate(
-      points, u, &law, 0, volume, 1., nullptr, nullptr, false, result));
+    ASSERT_TRUE(kernel.evaluate(points,
+                                u,
+                                &law,
+                                0,
+                                volume,
+                                1.,
+                                nullptr,
+                                nullptr,
+                                false,
+                                result));
 
     double volume_now = 0.;
     for (const auto &point : points)
@@ -240,11 +247,11 @@ TEST(ElementKernel, q1p0_tangent_matches_differences_in_space)
 
 TEST(ElementKernel, refuses_an_element_turned_inside_out)
 {
-  const auto                points = element_points<2, 4>(false);
-  const RubberLaw           law    = rubber(false);
-  ElementKernel<2, 4>       kernel;
-  ElementResult<2, 4>       result;
-  const double              u[8] = {3., 0., 0., 0., 3., 0., 0., 0.};
+  const auto          points = element_points<2, 4>(false);
+  const RubberLaw     law    = rubber(false);
+  ElementKernel<2, 4> kernel;
+  ElementResult<2, 4> result;
+  const double        u[8] = {3., 0., 0., 0., 3., 0., 0., 0.};
   EXPECT_FALSE(kernel.evaluate(points,
                                u,
                                &law,
@@ -263,7 +270,8 @@ TEST(ElementKernel, mean_stress_is_that_of_the_nodal_forces)
   check_mean_stress<3, 8>(VolumeTreatment::pointwise);
 }
 
-TEST(ElementKernel, mean_stress_with_mean_dilatation_is_that_of_the_nodal_forces)
+TEST(ElementKernel,
+     mean_stress_with_mean_dilatation_is_that_of_the_nodal_forces)
 {
   check_mean_stress<2, 4>(VolumeTreatment::mean_dilatation);
   check_mean_stress<3, 8>(VolumeTreatment::mean_dilatation);
@@ -274,9 +282,9 @@ TEST(ElementKernel, mean_stress_with_mean_dilatation_is_that_of_the_nodal_forces
 TEST(ElementKernel, means_of_simple_shear_are_the_closed_form)
 {
   RubberLaw law;
-  law.elastic       = MooneyRivlin{50., .4, .1};
-  const double g    = .5;
-  const auto   X    = element_nodes<3, 8>(false);
+  law.elastic        = MooneyRivlin{50., .4, .1};
+  const double g     = .5;
+  const auto   X     = element_nodes<3, 8>(false);
   double       u[24] = {};
   for (int a = 0; a < 8; ++a)
     u[3 * a] = g * X[a][1];

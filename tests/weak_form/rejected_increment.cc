@@ -23,28 +23,34 @@ namespace
                                  const double            readhesion)
   {
     InterfaceDescription description;
-    description.friction = .3;
+    description.friction = .1;
     AdhesionLaw law;
-    law.softening       = LinearSoftening{.2, .1, 20.};
+    law.softening       = LinearSoftening{.05, .1, 20.};
     law.factors         = mode_factors(ModeMixing::energy, .6);
     law.unloading       = unloading;
-    law.rest_pressure   = .01;
+    law.rest_pressure   = .001;
     law.rest_time       = .5 * dt;
     law.rest_efficiency = readhesion;
     description.adhesion = law;
     return description;
   }
 
-  /// Presses, then slides until bonds break, then lifts.
+  /// Presses, then slides until bonds break. Two blocks, 0.25 MPa/mm, are
+  /// stiffer than the bonds soften, 0.18 MPa/mm: no jumps.
   Tensor<1, 3> press_and_slide(const dealii::Point<3> &, const double t)
   {
-    return vector(.04 * std::max(0., t - dt), -.03 + .01 * std::abs(t - 2. * dt));
+    return vector(.07 * std::max(0., t - dt), -.01 + .001 * std::abs(t - 2. * dt));
   }
 
   struct Scene
   {
     std::string  name;
     BlockOptions options;
+
+    /// [mm] and [mJ] after further increments. On a deformable master, the
+    /// pattern of the matrix depends on when it was built last, and round-off
+    /// on the pattern.
+    double tolerance = 0.;
   };
 
   /// Every term alone as far as it can stand, and all of them together.
@@ -59,7 +65,7 @@ namespace
     BlockOptions loaded;
     loaded.interface = interface(AdhesionUnloading::damage, 0.);
     loaded.traction  = [](const double t) {
-      return vector(.01 * t, .02 * std::sin(t));
+      return vector(.001 * t, -.02 + .005 * std::sin(t));
     };
 
     BlockOptions on_mould = elastic;
@@ -70,20 +76,23 @@ namespace
 
     BlockOptions on_block = on_mould;
     on_block.on_block     = true;
+    on_block.top          = [](const dealii::Point<3> &X, const double t) {
+      return press_and_slide(X, .6 * t) + vector(0., -.02);
+    };
 
     BlockOptions dynamic = on_mould;
     dynamic.viscous      = true;
     dynamic.integrator   = TimeIntegrator();
 
     BlockOptions blended = dynamic;
-    blended.integrator->scheme = "generalised-alpha";
+    blended.integrator->scheme = "hht";
 
     return {{"elastic solid", elastic},
             {"viscous solid", viscous},
             {"traction", loaded},
             {"friction and adhesion on a mould", on_mould},
             {"plastic unloading and new bonds", plastic},
-            {"friction and adhesion on a block", on_block},
+            {"friction and adhesion on a block", on_block, 1e-12},
             {"inertia", dynamic},
             {"inertia and blended bulk forces", blended}};
   }
@@ -97,12 +106,25 @@ namespace
       }
   }
 
-  void expect_same_energies(const BlockOnMould &a, const BlockOnMould &b)
+  /// Displacements [mm] and energies [mJ]; no tolerance: everything, bitwise.
+  void expect_same_state(const BlockOnMould &a,
+                         const BlockOnMould &b,
+                         const double        tolerance)
   {
+    if (tolerance == 0.)
+      {
+        EXPECT_TRUE(a.saved() == b.saved());
+      }
+    double difference = 0.;
+    for (const auto i : a.form->accepted.locally_owned_elements())
+      difference = std::max(difference,
+                            std::abs(a.form->accepted(i) -
+                                     b.form->accepted(i)));
+    EXPECT_LE(difference, tolerance) << "mm";
     const auto of_a = a.form->energies().as_array();
     const auto of_b = b.form->energies().as_array();
     for (unsigned int i = 0; i < of_a.size(); ++i)
-      EXPECT_EQ(of_a[i], of_b[i]) << Energies::names()[i];
+      EXPECT_NEAR(of_a[i], of_b[i], tolerance) << Energies::names()[i];
   }
 } // namespace
 
@@ -115,17 +137,17 @@ TEST(RejectedIncrement, leaves_every_term_bitwise_as_it_was)
       advance(block, 3);
       advance(other, 3);
       const std::string before = block.saved();
-      ASSERT_EQ(before, other.saved()) << "runs do not repeat";
+      ASSERT_TRUE(before == other.saved()) << "runs do not repeat";
 
       block.assemble_noise(block.form->time() + dt, .02);
-      EXPECT_EQ(block.saved(), before) << "committed without commit()";
+      EXPECT_TRUE(block.saved() == before) << "committed without commit()";
       block.form->reject();
-      EXPECT_EQ(block.saved(), before);
-      expect_same_energies(block, other);
+      EXPECT_TRUE(block.saved() == before);
+      expect_same_state(block, other, 0.);
 
       block.try_and_reject(block.form->time() + 2. * dt);
-      EXPECT_EQ(block.saved(), before);
-      expect_same_energies(block, other);
+      EXPECT_TRUE(block.saved() == before);
+      expect_same_state(block, other, 0.);
     }
 }
 
@@ -137,15 +159,15 @@ TEST(RejectedIncrement, does_not_change_the_increments_that_follow)
       BlockOnMould block(scene.options), other(scene.options);
       advance(block, 2);
       advance(other, 2);
-      for (unsigned int k = 0; k < 4; ++k)
+      for (unsigned int k = 0; k < 6; ++k)
         {
+          SCOPED_TRACE("increment " + std::to_string(k));
           block.assemble_noise(block.form->time() + dt, .02);
           block.form->reject();
           block.try_and_reject(block.form->time() + 1.5 * dt);
           advance(block, 1);
           advance(other, 1);
-          EXPECT_EQ(block.saved(), other.saved()) << "increment " << k;
-          expect_same_energies(block, other);
+          expect_same_state(block, other, scene.tolerance);
         }
     }
 }
@@ -161,23 +183,16 @@ TEST(Checkpoint, of_a_weak_form_is_bitwise_and_complete)
 
       BlockOnMould restarted(scene.options);
       restarted.load(state);
-      EXPECT_EQ(restarted.saved(), state);
+      EXPECT_TRUE(restarted.saved() == state);
       EXPECT_EQ(restarted.form->time(), block.form->time());
-      expect_same_energies(restarted, block);
+      expect_same_state(restarted, block, 0.);
 
       restarted.newton->largest_force = block.newton->largest_force;
       for (unsigned int k = 0; k < 3; ++k)
         {
           advance(block, 1);
           advance(restarted, 1);
-          for (const auto i : block.form->accepted.locally_owned_elements())
-            EXPECT_NEAR(restarted.form->accepted(i),
-                        block.form->accepted(i),
-                        1e-12);
-          const auto a = block.form->energies().as_array();
-          const auto b = restarted.form->energies().as_array();
-          for (unsigned int i = 0; i < a.size(); ++i)
-            EXPECT_NEAR(b[i], a[i], 1e-12) << Energies::names()[i];
+          expect_same_state(restarted, block, 1e-12);
         }
     }
 }

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// pull-off.prm: a confined column in series with its bond.
+#include "step-nts-adhesion/closed_forms.h"
+
+#include <gtest/gtest.h>
+
+namespace demold
+{
+  namespace
+  {
+    constexpr double area = 2.; // [mm^2]
+
+    struct Column
+    {
+      double height;
+      Bond   bond;
+      Rubber rubber;
+
+      double opening(const double gap) const
+      {
+        return gap + height * (rubber.confined_stretch(bond.traction(gap)) - 1.);
+      }
+
+      /// Nominal stress at an opening, where the opening grows with the gap.
+      double stress(const double u) const
+      {
+        if (u >= bond.rupture)
+          return 0.;
+        return bond.traction(
+          root_of([&](double g) { return opening(g) - u; }, 0., bond.rupture));
+      }
+
+      double peak_opening() const
+      {
+        return opening(bond.onset());
+      }
+
+      /// Energy [mJ/mm^2] at the peak, less what the bond needs.
+      double excess() const
+      {
+        const double stretch = rubber.confined_stretch(bond.strength);
+        return height * integral_of([&](double l) { return rubber.confined(l); },
+                                    1.,
+                                    stretch) +
+               bond.work(bond.onset()) - bond.fracture_energy();
+      }
+
+      std::vector<std::string> overrides() const
+      {
+        const auto text = [](double x) { return std::to_string(x); };
+        return {"Adhesion/strength=" + text(bond.strength),
+                "Adhesion/rupture gap=" + text(bond.rupture),
+                "Adhesion/penalty=" + text(bond.penalty),
+                "Body/size=2, " + text(height),
+                "Body/cells=2, " + text(height),
+                "Pull/opening=" + text(1.5 * bond.rupture + .15)};
+      }
+    };
+
+    // Softens faster than a column of 40 mm gives way: 2.22 > 1.27 MPa/mm.
+    const Column long_column{40., {.2, .1, 20.}, {}};
+
+    class StableColumn : public testing::TestWithParam<Bond>
+    {};
+  } // namespace
+
+  TEST(Column, closed_form_has_the_confined_stress_of_theory_A1)
+  {
+    EXPECT_NEAR(Rubber().confined(1.01), .50946535, 1e-8);
+    EXPECT_NEAR(Rubber().confined(1.05), 2.49904762, 1e-8);
+  }
+
+  TEST_P(StableColumn, follows_the_closed_form_all_the_way)
+  {
+    const Column   column{8., GetParam(), {}};
+    const SceneRun run = run_nts("pull-off.prm", column.overrides());
+    EXPECT_EQ(run.status(), "completed");
+    ASSERT_GT(run.history.n_rows(), 80u);
+    const double peak  = area * column.bond.strength;
+    double       worst = 0.;
+    for (std::size_t i = 0; i < run.history.n_rows(); ++i)
+      worst = std::max(worst,
+                       std::abs(run.history["force [N]"][i] -
+                                area * column.stress(
+                                         run.history["opening [mm]"][i])));
+    EXPECT_LT(worst, 1e-3 * peak);
+    RecordProperty("largest deviation over peak",
+                   std::to_string(worst / peak));
+
+    const double lost = area * column.bond.fracture_energy();
+    EXPECT_NEAR(run.number("work of demolding [mJ]"), lost, 1e-3 * lost);
+    EXPECT_NEAR(run.number("adhesion dissipation [mJ]"), lost, 1e-6 * lost);
+    EXPECT_LT(run.number("energy balance error [-]"), 1e-3);
+    EXPECT_EQ(run.number("bonded area left [mm^2]"), 0.);
+  }
+
+  INSTANTIATE_TEST_SUITE_P(bonds,
+                           StableColumn,
+                           testing::Values(Bond{.2, .1, 20.},
+                                           Bond{.05, .2, 20.},
+                                           Bond{.5, .4, 20.},
+                                           Bond{1., .3, 100.}));
+
+  TEST(LongColumn, jumps_in_quasi_statics_and_releases_what_the_bond_does_not_need)
+  {
+    auto overrides = long_column.overrides();
+    overrides.emplace_back("Solver/max iterations=60");
+    const SceneRun run = run_nts("pull-off.prm", overrides);
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.status(), "completed with jumps");
+    EXPECT_EQ(run.number("jumps"), 1.);
+    const double strength = area * long_column.bond.strength;
+    EXPECT_NEAR(run.number("peak force [N]"), strength, 1e-3 * strength);
+    EXPECT_NEAR(run.number("opening at peak [mm]"),
+                long_column.peak_opening(),
+                1e-3 * long_column.peak_opening());
+    const double released = area * long_column.excess();
+    EXPECT_NEAR(run.number("released energy [mJ]"), released, .02 * released);
+    EXPECT_LT(run.number("energy balance error [-]"), 1e-3);
+  }
+
+  TEST(LongColumn, turns_the_released_energy_into_vibration_in_dynamics)
+  {
+    auto overrides = long_column.overrides();
+    for (const char *entry :
+         {"Solution/strategy=dynamics", "Material/density=1.1e-9"})
+      overrides.emplace_back(entry);
+    const SceneRun run = run_nts("pull-off.prm", overrides);
+    EXPECT_EQ(run.status(), "completed");
+    const double lost     = area * long_column.bond.fracture_energy();
+    const double released = area * long_column.excess();
+    EXPECT_NEAR(run.number("adhesion dissipation [mJ]"), lost, 1e-6 * lost);
+    EXPECT_NEAR(run.number("work of demolding [mJ]") - lost,
+                released,
+                .02 * released);
+    EXPECT_LT(run.number("energy balance error [-]"), 5e-3);
+
+    // Every entry by its own formula, in the rows behind the jump.
+    const std::size_t last = run.history.n_rows() - 1;
+    double            kept = 0.;
+    for (const char *entry : {"kinetic energy [mJ]",
+                              "stored energy [mJ]",
+                              "algorithmic dissipation [mJ]",
+                              "impact dissipation [mJ]"})
+      kept += run.history[entry][last];
+    EXPECT_NEAR(kept, released, .02 * released);
+  }
+
+  TEST(LongColumn, excess_is_that_of_a_linear_spring_in_series_but_for_a_percent)
+  {
+    const double linear = .5 * long_column.bond.strength *
+                          (long_column.peak_opening() -
+                           long_column.bond.rupture);
+    EXPECT_NEAR(long_column.excess(), linear, .01 * linear);
+  }
+} // namespace demold
