@@ -288,14 +288,9 @@ namespace demold
         bond_trial[p].status != AdhesionStatus::separated)
       forced = static_cast<AdhesionStatus>(
         std::min(last_state[p], static_cast<int>(AdhesionStatus::separated)));
-    // The mould has moved and the rubber has not followed yet: an intact bond
-    // that softened here would find the unstable branch before its peak.
-    const bool first = state.iteration == 0;
-    if (first && bond[p].status == AdhesionStatus::adhering)
-      forced = AdhesionStatus::adhering;
     AdhesionResponse response = description.adhesion->evaluate(
       x - place.x, place.normal, bond[p].state, forced);
-    if (!response.consistent && !first) // freezing must not end in a wrong state
+    if (!response.consistent) // freezing must not end in a wrong state
       response = description.adhesion->evaluate(x - place.x,
                                                 place.normal,
                                                 bond[p].state);

@@ -15,7 +15,7 @@ namespace demold
   namespace
   {
     /// A quasi-static increment that loses more than this share of the largest
-    /// ledger entry while bonds break has jumped.
+    /// ledger entry while bonds break or nodes leave the mould has jumped.
     constexpr double jump_share = 2e-3;
 
     std::vector<std::string> column_names()
@@ -64,7 +64,7 @@ namespace demold
 
     const double lost = now.energies.gap() - last.energies.gap();
     if (now.strategy == "quasi-static" && lost > jump_share * largest_entry &&
-        after[4] > before[4])
+        (after[4] > before[4] || now.closed < last.closed))
       {
         released += lost;
         ++n_jumps;

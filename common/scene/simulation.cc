@@ -110,6 +110,8 @@ namespace demold
       std::unique_ptr<MouldOutput<dim>>    mould;
       IncrementState                       increment_state;
       unsigned int                         increments   = 0;
+      unsigned int                         rejected     = 0; ///< so far
+      unsigned int                         rejected_before_restart = 0;
       double                               last_contact = 0.; ///< opening [mm]
       bool                                 was_stopped  = false;
     };
@@ -276,7 +278,7 @@ namespace demold
       now.stretch    = Utilities::MPI::max(now.stretch, communicator);
       now.tension    = Utilities::MPI::max(now.tension, communicator);
       now.iterations = record.newton.iterations;
-      now.rejected   = record.rejected;
+      now.rejected   = rejected_before_restart + record.rejected;
       now.strategy   = record.strategy;
       now.done       = record.time / scene.end_time;
       return now;
@@ -297,6 +299,7 @@ namespace demold
       Timer             clock;
       const Observation now = observe(record);
       recorder.record(now);
+      rejected = now.rejected;
       ++increments;
       if (fields && increments % parameters.fields_every == 0)
         write_fields();
@@ -322,7 +325,8 @@ namespace demold
                       increment_state.last_dt,
                       static_cast<double>(increments),
                       last_contact,
-                      newton->largest_force});
+                      newton->largest_force,
+                      static_cast<double>(rejected)});
       checkpoint.put(fields ? fields->series.times() : std::vector<double>());
       checkpoint.finish();
     }
@@ -339,6 +343,8 @@ namespace demold
       increments              = static_cast<unsigned int>(values.at(2));
       last_contact            = values.at(3);
       newton->largest_force    = values.at(4);
+      rejected_before_restart = rejected =
+        static_cast<unsigned int>(values.at(5));
       const auto times        = file.get();
       if (fields)
         fields->series.restart(times);
@@ -417,7 +423,8 @@ namespace demold
       recorder.summarise(summary);
       const LinearSolverStatistics &linear = linear_solver.statistics();
       summary.set("increments", increments);
-      summary.set("rejected increments", result.rejected);
+      summary.set("rejected increments",
+                  rejected_before_restart + result.rejected);
       summary.set("newton iterations", result.newton_iterations);
       summary.set("factorisations", linear.factorisations);
       summary.set("multigrid hierarchies", linear.hierarchies);

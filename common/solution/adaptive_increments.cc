@@ -115,7 +115,9 @@ namespace demold
         const double rest  = end_time - start;
         dt                 = std::min(dt, parameters.largest);
         // Two equal increments rather than a long and a very short one.
-        const double step = dt >= rest ? rest : dt > .5 * rest ? .5 * rest : dt;
+        const double step = dt >= (1. - 1e-9) * rest ? rest :
+                            dt > .5 * rest           ? .5 * rest :
+                                                       dt;
 
         hooks.before(step);
         weak_form.begin_increment(start + step,

@@ -14,6 +14,13 @@ namespace demold
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// After this many iterations some state may flicker between two branches
+    /// that both satisfy the residual: the work criterion is then given up.
+    constexpr unsigned int flickering = 8;
+  } // namespace
+
   Newton::Newton(const NewtonParameters &parameters,
                  LinearSolver &          linear_solver)
     : parameters(parameters)
@@ -54,7 +61,8 @@ namespace demold
     return report.iterations > 0 &&
            report.residuals.back() <= parameters.residual_tolerance &&
            (last_work <= parameters.energy_tolerance * largest_work ||
-            report.residuals.back() <= .1 * parameters.residual_tolerance);
+            report.residuals.back() <= .1 * parameters.residual_tolerance ||
+            report.iterations > flickering);
   }
 
   /// How exact a linear solution must be (Eisenstat and Walker 1996, choice

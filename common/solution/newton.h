@@ -14,7 +14,7 @@ namespace demold
   /// maximum over the run; plus what round-off leaves, 1e-14 |K| |u|, theory
   /// D.4) and the work of the last correction is below `energy tolerance`
   /// times that of the largest one; a tenth of the residual tolerance alone
-  /// will do.
+  /// will do, and after 8 iterations the residual tolerance itself.
   class Newton : public NonlinearSolver
   {
   public:

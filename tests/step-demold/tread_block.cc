@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The tread block leaves its mould: what is lost equals what was bonded.
+#include "run_scene.h"
+
+#include <gtest/gtest.h>
+
+namespace demold
+{
+  namespace
+  {
+    SceneRun run_demold(const std::string &             scene,
+                        const std::vector<std::string> &overrides = {})
+    {
+      return run_scene(DEMOLD_STEP_DEMOLD,
+                       DEMOLD_SOURCE_DIR "/prm/step-demold/" + scene,
+                       overrides);
+    }
+
+    constexpr double degree = M_PI / 180.;
+    constexpr double G_c    = .5 * .1 * .2; // alpha delta / 2 [mJ/mm^2]
+
+    /// Length [mm] of the bonded line of the slice: 20 mm wide, 8 mm high,
+    /// draft 3 degree, two sipes of 0.6 mm by 6 mm with a draft of 0.5 degree.
+    double bonded_line(const unsigned int sipes)
+    {
+      const double flank = 6. / std::cos(.5 * degree);
+      const double tip   = .6 - 2. * 6. * std::tan(.5 * degree);
+      return 20. - .6 * sipes + 2. * 8. / std::cos(3. * degree) +
+             sipes * (2. * flank + tip);
+    }
+
+    void expect_clean_release(const SceneRun &run)
+    {
+      EXPECT_EQ(run.exit_code, 0);
+      EXPECT_EQ(run.status(), "completed");
+      EXPECT_LE(run.number("energy balance error [-]"), .01);
+      EXPECT_EQ(run.number("bonded area left [mm^2]"), 0.);
+      EXPECT_GE(run.number("work of demolding [mJ]"),
+                run.number("adhesion dissipation [mJ]"));
+      // at least 1 mm beyond the last touch
+      double last_touch = 0.;
+      for (std::size_t i = 0; i < run.history.n_rows(); ++i)
+        if (run.history["bonded area [mm^2]"][i] > 0. ||
+            run.history["touching area [mm^2]"][i] > 0.)
+          last_touch = run.history["opening [mm]"][i];
+      EXPECT_GE(run.number("opening at end [mm]"), last_touch + 1.);
+    }
+  } // namespace
+
+  TEST(TreadBlock, slice_loses_the_fracture_energy_of_its_bonded_line)
+  {
+    for (const unsigned int sipes : {0u, 2u})
+      {
+        const SceneRun run =
+          run_demold("slice.prm", {"Block/sipes=" + std::to_string(sipes)});
+        expect_clean_release(run);
+        const double energy = G_c * bonded_line(sipes) * 20.;
+        EXPECT_NEAR(run.number("adhesion dissipation [mJ]"),
+                    energy,
+                    .005 * energy);
+      }
+  }
+
+  TEST(TreadBlock, half_slice_reports_the_whole_block)
+  {
+    const SceneRun half  = run_demold("slice.prm", {});
+    const SceneRun whole = run_demold("slice.prm", {"Block/symmetry=whole"});
+    expect_clean_release(whole);
+    EXPECT_NEAR(whole.number("peak force [N]"),
+                half.number("peak force [N]"),
+                .005 * half.number("peak force [N]"));
+    EXPECT_NEAR(whole.number("work of demolding [mJ]"),
+                half.number("work of demolding [mJ]"),
+                .005 * half.number("work of demolding [mJ]"));
+  }
+
+  TEST(TreadBlock, coarse_quarter_block_loses_the_energy_of_its_bonded_area)
+  {
+    const SceneRun run = run_demold("tread-block.prm",
+                                    {"Block/element size=2.5",
+                                     "Block/wall element size=1.2",
+                                     "Mould/facet size=2",
+                                     "Solution/accuracy=0.1"});
+    expect_clean_release(run);
+    // Bottom without slot mouths; two walls along the sipes, two across them
+    // less the slots they lose; flanks and tips of the slots, which follow the
+    // draft of the walls at their ends.
+    const double t = std::tan(3. * degree), c = std::cos(3. * degree);
+    const double wall = (20. + 8. * t) * 8. / c;
+    const double s    = std::tan(.5 * degree);
+    const double slot_in_wall = (.6 + (.6 - 2. * 6. * s)) / 2. * 6. / c;
+    const double flank = 2. * (20. + 6. * t) * 6. / std::cos(.5 * degree);
+    const double tip   = (.6 - 2. * 6. * s) * (20. + 2. * 6. * t);
+    const double area  = 400. - 2. * .6 * 20. + 4. * wall +
+                        2. * (flank + tip - 2. * slot_in_wall);
+    EXPECT_NEAR(run.number("adhesion dissipation [mJ]"),
+                G_c * area,
+                .005 * G_c * area);
+  }
+
+  TEST(TreadBlock, friction_does_work_under_an_inclined_pull)
+  {
+    const SceneRun run = run_demold("slice.prm",
+                                    {"Block/symmetry=whole",
+                                     "Pull/inclination=10"});
+    expect_clean_release(run);
+  }
+
+  TEST(TreadBlock, dynamics_and_statics_agree_where_nothing_jumps)
+  {
+    const SceneRun dynamic = run_demold("slice.prm");
+    const SceneRun still =
+      run_demold("slice.prm", {"Solution/strategy=quasi-static"});
+    EXPECT_NEAR(still.number("peak force [N]"),
+                dynamic.number("peak force [N]"),
+                .01 * dynamic.number("peak force [N]"));
+  }
+
+  TEST(TreadBlock, effects_that_are_off_hold_no_history)
+  {
+    const SceneRun elastic =
+      run_scene(DEMOLD_STEP_NTS_ADHESION,
+                DEMOLD_SOURCE_DIR "/prm/step-nts-adhesion/block.prm",
+                {"Body/cells=3, 3, 3"});
+    EXPECT_EQ(elastic.number("history [MiB]"), 0.);
+    EXPECT_EQ(elastic.number("time contact [s]"), 0.);
+  }
+} // namespace demold

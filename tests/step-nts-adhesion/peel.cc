@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// peel.prm: steady peeling, theory E.3.
+#include "step-nts-adhesion/closed_forms.h"
+
+#include <gtest/gtest.h>
+
+namespace demold
+{
+  namespace
+  {
+    /// Steady force per width [N/mm] of an incompressible neo-Hooke strip in
+    /// plane strain: P h (l - cos) - h W = G_c.
+    double steady_force(const double angle)
+    {
+      constexpr double mu = 1., h = 2., G = .02;
+      const auto       P = [](double l) { return mu * (l - std::pow(l, -3)); };
+      const auto       W = [](double l) {
+        return .5 * mu * (l * l + 1. / (l * l) - 2.);
+      };
+      const double l = root_of(
+        [&](double s) {
+          return P(s) * h * (s - std::cos(angle)) - h * W(s) - G;
+        },
+        1.,
+        1.5);
+      return P(l) * h;
+    }
+
+    /// Mean force between two openings, by the work in between.
+    double mean_force(const CsvTable &history, const double from)
+    {
+      const auto &u = history["opening [mm]"];
+      const auto &W = history["external work [mJ]"];
+      const auto  i = static_cast<std::size_t>(
+        std::lower_bound(u.begin(), u.end(), from) - u.begin());
+      return (W.back() - W.at(i)) / (u.back() - u.at(i));
+    }
+  } // namespace
+
+  TEST(Peel, closed_form_has_the_values_of_theory_E3)
+  {
+    const double degree = std::acos(-1.) / 180.;
+    EXPECT_NEAR(steady_force(90. * degree), .019975, 1e-6);
+    EXPECT_NEAR(steady_force(30. * degree), .13998, 1e-5);
+    EXPECT_NEAR(steady_force(0.), .54606, 1e-5);
+  }
+
+  TEST(Peel, needs_the_force_of_kendalls_balance_at_ninety_degree)
+  {
+    const SceneRun run = run_nts("peel.prm");
+    EXPECT_EQ(run.status(), "completed");
+    EXPECT_LT(run.number("energy balance error [-]"), .005);
+    const double exact = steady_force(std::acos(0.));
+    const double mean  = mean_force(run.history, 52.);
+    RecordProperty("mean steady force over closed form",
+                   std::to_string(mean / exact));
+    EXPECT_NEAR(mean, exact, .02 * exact);
+    // Steady: the force stays, and bonds are left for it to stay.
+    for (std::size_t i = 0; i < run.history.n_rows(); ++i)
+      if (run.history["opening [mm]"][i] > 52.)
+        EXPECT_NEAR(run.history["force [N]"][i], exact, .05 * exact);
+    EXPECT_GT(run.number("bonded area left [mm^2]"), 5.);
+    EXPECT_GT(run.number("adhesion dissipation [mJ]"), .5);
+  }
+} // namespace demold
