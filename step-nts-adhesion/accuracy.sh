@@ -129,7 +129,7 @@ hertz_error()
       slope = (n * XY - X * Y) / (n * XX - X * X)
       peak2 = (Y - slope * X) / n
       ea = abs(sqrt(-peak2 / slope) / a - 1); ep = abs(sqrt(peak2) / p - 1)
-      printf "%.3e\n", ea > ep ? ea : ep
+      printf "%.3e\n", (ea > ep ? ea : ep)
     }' "$scratch/out/interface.csv"
 }
 
@@ -188,7 +188,6 @@ set grid linecolor rgb '#d0d0d0'
 set border linecolor rgb '#404040'
 set datafile separator comma
 set logscale xy
-set format y '10^{%L}'
 set format y '%.0e'
 set xlabel "CPU time [s]"
 set ylabel "error [-]"

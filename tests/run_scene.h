@@ -58,8 +58,8 @@ namespace demold
         const auto row = cells(line);
         for (std::size_t k = 0; k < names.size(); ++k)
           {
-            char *       end = nullptr;
-            const char * begin = row.at(k).c_str();
+            char        *end   = nullptr;
+            const char  *begin = row.at(k).c_str();
             const double value = std::strtod(begin, &end);
             table.columns[names[k]].push_back(
               end == begin || *end != '\0' ? std::nan("") : value);
@@ -89,7 +89,7 @@ namespace demold
   /// Runs @p command (no shell) with its words written to @p log; returns its
   /// exit code.
   inline int run_command(const std::vector<std::string> &command,
-                         const std::string &             log)
+                         const std::string              &log)
   {
     const pid_t child = fork();
     if (child == 0)
@@ -112,8 +112,8 @@ namespace demold
   /// Runs @p program on @p scene with `--set` for each of @p overrides. No
   /// fields, no checkpoints unless they ask for them. Throws with the
   /// program's words if there is no summary.
-  inline SceneRun run_scene(const std::string &             program,
-                            const std::string &             scene,
+  inline SceneRun run_scene(const std::string              &program,
+                            const std::string              &scene,
                             const std::vector<std::string> &overrides = {})
   {
     const ScratchFolder      folder;

@@ -168,6 +168,11 @@ namespace demold
     return x - motion(time_old).place(now.material_point(x));
   }
 
+  Point<3> Master::carried(const double time_old, const Point<3> &x) const
+  {
+    return is_rigid() ? now.place(motion(time_old).material_point(x)) : x;
+  }
+
   Tensor<1, 3> Master::velocity(const Point<3> &x, const double dt) const
   {
     if (!is_rigid() || dt <= 0.)

@@ -87,6 +87,11 @@ namespace demold
     dealii::Tensor<1, 3> displacement_since(const double            time_old,
                                             const dealii::Point<3> &x) const;
 
+    /// Where @p x would be if it had moved with the rigid master since
+    /// @p time_old [s]; @p x itself for a deformable one.
+    dealii::Point<3> carried(const double            time_old,
+                             const dealii::Point<3> &x) const;
+
     /// Velocity [mm/s] of the rigid material point now at @p x, from the
     /// displacement over the last @p dt.
     dealii::Tensor<1, 3> velocity(const dealii::Point<3> &x,

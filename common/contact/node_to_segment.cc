@@ -39,6 +39,9 @@ namespace demold
     /// each other in the first iteration.
     constexpr double touching = 1e-10;
 
+    /// Cosine of 40 degrees: facets that meet more smoothly are one surface.
+    constexpr double smooth_cosine = .766;
+
     /// States of theory C.5 for points without pressure and bond.
     constexpr int state_contact = 4, state_slip = 5, state_free = 6;
 
@@ -350,19 +353,43 @@ namespace demold
     scatter(assembler, local, area, R, K);
   }
 
+  bool NodeToSegment::may_close(const Configuration &state,
+                                const unsigned int   p,
+                                const ContactPoint & found) const
+  {
+    const auto &surface = master.surface;
+    if (found.gap > touching || !master.is_rigid())
+      return true;
+    if (contact[p].closed && surface.bound(contact[p].last_facet).normal *
+                                 surface.bound(found.facet).normal >
+                               smooth_cosine)
+      return true;
+    const Point<3> x_old =
+      master.carried(state.time - state.dt,
+                     current(slave.nodes[points[p].node],
+                             state.u_old,
+                             slave_surface.n_dimensions()));
+    const Tensor<1, 3> &n       = found.mean_normal;
+    const double        old_gap = found.gap + n * (x_old - x_points[p]);
+    return old_gap > -.01 * points[p].depth;
+  }
+
   std::optional<ContactPoint> NodeToSegment::pair(const Configuration &state,
                                                   const unsigned int   p)
   {
+    std::optional<ContactPoint> found;
     if (state.iteration > freeze_after && last_pairing[p])
-      if (const auto again =
-            project_again(*last_pairing[p], x_points[p], master.surface))
-        return again;
-    return find_contact(x_points[p],
-                        slave_normal(points[p], slave_surface),
-                        master.surface,
-                        search.candidates(p),
-                        contact[p].last_facet,
-                        {description.search_distance, points[p].depth});
+      found = project_again(*last_pairing[p], x_points[p], master.surface);
+    if (!found)
+      found = find_contact(x_points[p],
+                           slave_normal(points[p], slave_surface),
+                           master.surface,
+                           search.candidates(p),
+                           contact[p].last_facet,
+                           {description.search_distance, points[p].depth});
+    if (found && !may_close(state, p, *found))
+      return std::nullopt;
+    return found;
   }
 
   void NodeToSegment::assemble_contact(const Configuration &state,

@@ -64,8 +64,13 @@ namespace demold
   /// tied to its anchor by the adhesion law (theory C.2, C.3). Forces are per
   /// reference area. The friction weight omega is that of the damage at the
   /// start of the increment. All tangents are exact in the first iterations,
-  /// before states are frozen. With a rigid master, mixing with a = b^2 and no friction they are
-  /// symmetric.
+  /// before states are frozen. With a rigid master, mixing with a = b^2 and no
+  /// friction they are symmetric.
+  ///
+  /// A point closes by coming through the gap: a rigid facet that it already
+  /// was behind at t_n, without touching its surface, is not believed. Else a
+  /// node that slips off the end of a blade would find itself deep in the
+  /// blade's tip, with energy from nowhere.
   class NodeToSegment : public Term
   {
   public:
@@ -128,6 +133,9 @@ namespace demold
                            dealii::Tensor<1, 3> &   force);
     std::optional<ContactPoint> pair(const Configuration &,
                                      const unsigned int point);
+    bool                        may_close(const Configuration &,
+                                          const unsigned int  point,
+                                          const ContactPoint &found) const;
     void                        count_change(const unsigned int point,
                                              const int          state);
 

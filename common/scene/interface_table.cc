@@ -58,7 +58,7 @@ namespace demold
     }
   } // namespace
 
-  void write_interface_table(const std::string &  file,
+  void write_interface_table(const std::string   &file,
                              const NodeToSegment &interface)
   {
     const auto parts =

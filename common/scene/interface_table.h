@@ -16,7 +16,7 @@ namespace demold
   /// over rupture gap (1: no bond), whether it is bonded, state of theory C.5
   /// (0 to 5; 6: free) and the time of separation (empty: never). A reduced
   /// model lists the points it has.
-  void write_interface_table(const std::string &  file,
+  void write_interface_table(const std::string   &file,
                              const NodeToSegment &interface);
 } // namespace demold
 

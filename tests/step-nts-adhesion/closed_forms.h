@@ -5,17 +5,27 @@
 
 #include "run_scene.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <functional>
 
 namespace demold
 {
-  inline SceneRun run_nts(const std::string &             scene,
+  inline SceneRun run_nts(const std::string              &scene,
                           const std::vector<std::string> &overrides = {})
   {
     return run_scene(DEMOLD_STEP_NTS_ADHESION,
                      DEMOLD_SOURCE_DIR "/prm/step-nts-adhesion/" + scene,
                      overrides);
+  }
+
+  /// A figure for the report of the test, next to its verdict.
+  inline void record(const std::string &name, const double value)
+  {
+    char text[40];
+    std::snprintf(text, sizeof(text), "%.3e", value);
+    testing::Test::RecordProperty(name, text);
   }
 
   /// Root of @p f between @p a and @p b, where it changes its sign.
@@ -26,7 +36,7 @@ namespace demold
     const bool rises = f(b) > 0.;
     for (unsigned int i = 0; i < 200; ++i)
       {
-        const double middle = .5 * (a + b);
+        const double middle                   = .5 * (a + b);
         (((f(middle) > 0.) == rises) ? b : a) = middle;
       }
     return .5 * (a + b);

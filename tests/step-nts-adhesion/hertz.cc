@@ -88,9 +88,9 @@ namespace demold
     const double coarse = error(run_nts("hertz.prm", {"Body/fine size=0.2"}));
     const double middle = error(run_nts("hertz.prm", {"Body/fine size=0.1"}));
     const double fine   = error(run_nts("hertz.prm", {"Body/fine size=0.05"}));
-    RecordProperty("coarse", std::to_string(coarse));
-    RecordProperty("middle", std::to_string(middle));
-    RecordProperty("fine", std::to_string(fine));
+    record("error with 0.2 mm", coarse);
+    record("error with 0.1 mm", middle);
+    record("error with 0.05 mm", fine);
     EXPECT_LT(fine, middle);
     EXPECT_LT(middle, coarse);
   }

@@ -58,17 +58,25 @@ namespace demold
     const SceneRun run = run_nts("hinged-plate.prm");
     EXPECT_EQ(run.status(), "completed");
     EXPECT_NEAR(run.number("peak force [N]"), 17.43459, 1e-3 * 17.43459);
+    EXPECT_LT(run.number("energy balance error [-]"), 1e-3);
+  }
+
+  // The top of the curve is flat: forty nodes have it 2 % too early.
+  TEST(HingedPlate,
+       has_the_peak_at_the_angle_of_the_closed_form_with_400_elements)
+  {
+    const SceneRun run = run_nts("hinged-plate.prm", {"Body/cells=400, 1"});
+    EXPECT_NEAR(run.number("peak force [N]"), 17.43459, 1e-4 * 17.43459);
     EXPECT_NEAR(run.number("opening at peak [mm]"),
                 length * .00107722,
                 length * 1.2e-5); // one increment
-    EXPECT_LT(run.number("energy balance error [-]"), 1e-3);
   }
 
   TEST(HingedPlate, follows_the_closed_form_down_to_a_sixtieth_of_the_peak)
   {
     auto overrides = driven_to("0.026*t^2");
     overrides.emplace_back("Body/cells=400, 1");
-    const SceneRun run = run_nts("hinged-plate.prm", overrides);
+    const SceneRun run   = run_nts("hinged-plate.prm", overrides);
     double         worst = 0.;
     unsigned int   n     = 0;
     for (std::size_t i = 0; i < run.history.n_rows(); ++i)
@@ -77,24 +85,27 @@ namespace demold
         if (angle < .0005)
           continue;
         ++n;
-        worst = std::max(
-          worst, std::abs(run.history["force [N]"][i] / force(angle) - 1.));
+        worst =
+          std::max(worst,
+                   std::abs(run.history["force [N]"][i] / force(angle) - 1.));
       }
     EXPECT_GT(n, 300u);
     EXPECT_LT(worst, 1e-3);
-    RecordProperty("largest relative deviation", std::to_string(worst));
+    record("largest relative deviation", worst);
   }
 
   TEST(HingedPlate, needs_the_fracture_energy_but_for_the_bonds_at_the_hinge)
   {
-    const SceneRun run = run_nts("hinged-plate.prm", driven_to("0.5*t^4"));
+    // At the end 0.2 mm are still bonded, less than one of forty elements.
+    auto overrides = driven_to("0.5*t^4");
+    overrides.emplace_back("Body/cells=400, 1");
+    const SceneRun run = run_nts("hinged-plate.prm", overrides);
     const double   c   = chord(.5);
     const double   energy =
-      width * (bond.fracture_energy() * (length - bond.rupture / c) +
-               integral_of([](double g) { return bond.work(g); },
-                           0.,
-                           bond.rupture) /
-                 c);
+      width *
+      (bond.fracture_energy() * (length - bond.rupture / c) +
+       integral_of([](double g) { return bond.work(g); }, 0., bond.rupture) /
+         c);
     EXPECT_GT(energy, .99 * 2.);
     EXPECT_NEAR(run.number("work of demolding [mJ]"), energy, 2e-3 * energy);
     EXPECT_NEAR(run.number("adhesion dissipation [mJ]") +

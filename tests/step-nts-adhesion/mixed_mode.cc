@@ -25,7 +25,7 @@ namespace demold
 
   TEST_P(MixedMode, needs_the_work_of_the_closed_form_at_every_angle)
   {
-    const Mixing &   mixing = GetParam();
+    const Mixing    &mixing = GetParam();
     constexpr double area = 100., fracture_energy = .01;
     for (const int degree : {0, 15, 30, 45, 60, 75, 90})
       {
@@ -34,7 +34,10 @@ namespace demold
         char         text[80];
         std::snprintf(text, sizeof(text), "=0.3*t*%.17g", s);
         const std::string x = text;
-        std::snprintf(text, sizeof(text), "=0.3*t*%.17g", degree == 90 ? 0. : c);
+        std::snprintf(text,
+                      sizeof(text),
+                      "=0.3*t*%.17g",
+                      degree == 90 ? 0. : c);
         const std::string y = text;
         std::snprintf(text, sizeof(text), "=%.17g,%.17g,0", s, c);
         const SceneRun run =

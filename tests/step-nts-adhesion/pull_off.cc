@@ -18,7 +18,8 @@ namespace demold
 
       double opening(const double gap) const
       {
-        return gap + height * (rubber.confined_stretch(bond.traction(gap)) - 1.);
+        return gap +
+               height * (rubber.confined_stretch(bond.traction(gap)) - 1.);
       }
 
       /// Nominal stress at an opening, where the opening grows with the gap.
@@ -39,9 +40,10 @@ namespace demold
       double excess() const
       {
         const double stretch = rubber.confined_stretch(bond.strength);
-        return height * integral_of([&](double l) { return rubber.confined(l); },
-                                    1.,
-                                    stretch) +
+        return height *
+                 integral_of([&](double l) { return rubber.confined(l); },
+                             1.,
+                             stretch) +
                bond.work(bond.onset()) - bond.fracture_energy();
       }
 
@@ -80,12 +82,11 @@ namespace demold
     double       worst = 0.;
     for (std::size_t i = 0; i < run.history.n_rows(); ++i)
       worst = std::max(worst,
-                       std::abs(run.history["force [N]"][i] -
-                                area * column.stress(
-                                         run.history["opening [mm]"][i])));
+                       std::abs(
+                         run.history["force [N]"][i] -
+                         area * column.stress(run.history["opening [mm]"][i])));
     EXPECT_LT(worst, 1e-3 * peak);
-    RecordProperty("largest deviation over peak",
-                   std::to_string(worst / peak));
+    record("largest deviation over peak", worst / peak);
 
     const double lost = area * column.bond.fracture_energy();
     EXPECT_NEAR(run.number("work of demolding [mJ]"), lost, 1e-3 * lost);
@@ -101,10 +102,13 @@ namespace demold
                                            Bond{.5, .4, 20.},
                                            Bond{1., .3, 100.}));
 
-  TEST(LongColumn, jumps_in_quasi_statics_and_releases_what_the_bond_does_not_need)
+  TEST(LongColumn,
+       jumps_in_quasi_statics_and_releases_what_the_bond_does_not_need)
   {
+    // Newton may find the unstable branch, which softens below the peak, up to
+    // about an increment too early: small increments.
     auto overrides = long_column.overrides();
-    overrides.emplace_back("Solver/max iterations=60");
+    overrides.emplace_back("Solution/largest increment=0.0005");
     const SceneRun run = run_nts("pull-off.prm", overrides);
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.status(), "completed with jumps");
@@ -146,11 +150,12 @@ namespace demold
     EXPECT_NEAR(kept, released, .02 * released);
   }
 
-  TEST(LongColumn, excess_is_that_of_a_linear_spring_in_series_but_for_a_percent)
+  TEST(LongColumn,
+       excess_is_that_of_a_linear_spring_in_series_but_for_a_percent)
   {
-    const double linear = .5 * long_column.bond.strength *
-                          (long_column.peak_opening() -
-                           long_column.bond.rupture);
+    const double linear =
+      .5 * long_column.bond.strength *
+      (long_column.peak_opening() - long_column.bond.rupture);
     EXPECT_NEAR(long_column.excess(), linear, .01 * linear);
   }
 } // namespace demold

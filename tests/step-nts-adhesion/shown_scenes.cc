@@ -48,9 +48,9 @@ namespace demold
     EXPECT_EQ(run.status(), "completed");
     EXPECT_LT(run.number("energy balance error [-]"), .01);
     EXPECT_LT(run.number("peak force [N]"), .5 * .2 * 200.);
-    const auto &time = run.interface["separation time [s]"];
-    const auto &x    = run.interface["x [mm]"]; // ascending
-    unsigned int n   = 0;
+    const auto  &time = run.interface["separation time [s]"];
+    const auto  &x    = run.interface["x [mm]"]; // ascending
+    unsigned int n    = 0;
     for (std::size_t i = 1; i < x.size(); ++i)
       if (x[i] <= 16. && !std::isnan(time[i - 1]))
         {

@@ -356,6 +356,37 @@ TEST(InterfaceTangent, of_bond_and_friction_together_matches_differences)
         }
 }
 
+namespace
+{
+  /// What the weak form gets from the term.
+  struct SystemAnswer
+  {
+    SparseMatrix matrix;
+    Vector       residual;
+  };
+
+  SystemAnswer system_answer(TwoSurfaces &      pair,
+                             const Values &     at,
+                             const unsigned int iteration = 0)
+  {
+    dealii::AffineConstraints<double> none;
+    none.close();
+    SystemAnswer result;
+    result.residual.reinit(pair.owned, MPI_COMM_SELF);
+    Vector unused(result.residual);
+    SystemAssembler system(
+      none, result.residual, unused, &result.matrix, false);
+    pair.evaluate(at, system, iteration, [&] {
+      dealii::DynamicSparsityPattern pattern(pair.n);
+      pair.term->add_couplings(pattern, none);
+      result.matrix.reinit(pattern);
+    });
+    result.residual.compress(dealii::VectorOperation::add);
+    result.matrix.compress(dealii::VectorOperation::add);
+    return result;
+  }
+} // namespace
+
 TEST(InterfaceTangent, arrives_unchanged_in_the_matrix_of_the_system)
 {
   InterfaceDescription description =
@@ -369,22 +400,32 @@ TEST(InterfaceTangent, arrives_unchanged_in_the_matrix_of_the_system)
     pair.with_noise(pair.shifted_slave(gap_vector(3, -.02, .05)), .002, 12);
   const DenseAssembler dense = pair.evaluate(at);
 
-  dealii::AffineConstraints<double> none;
-  none.close();
-  dealii::DynamicSparsityPattern pattern(pair.n);
-  pair.term->add_couplings(pattern, none);
-  SparseMatrix matrix;
-  matrix.reinit(pattern);
-  Vector residual(pair.owned, MPI_COMM_SELF), unused(residual);
-  SystemAssembler system(none, residual, unused, &matrix, false);
-  pair.evaluate(at, system);
-  residual.compress(dealii::VectorOperation::add);
-  matrix.compress(dealii::VectorOperation::add);
-  const double largest = dense.K.linfty_norm();
+  const SystemAnswer system = system_answer(pair, at);
+  const double       largest = dense.K.linfty_norm();
   for (unsigned int i = 0; i < pair.n; ++i)
     {
-      EXPECT_NEAR(residual(i), dense.R(i), 1e-13);
+      EXPECT_NEAR(system.residual(i), dense.R(i), 1e-13);
       for (unsigned int j = 0; j < pair.n; ++j)
-        EXPECT_NEAR(matrix.el(i, j), dense.K(i, j), 1e-13 * largest);
+        EXPECT_NEAR(system.matrix.el(i, j), dense.K(i, j), 1e-13 * largest);
     }
+}
+
+TEST(InterfaceTangent, fits_the_matrix_when_a_kept_pairing_leaves_the_candidates)
+{
+  // Newton keeps pairings after some iterations; a node may then be thrown so
+  // far that a new search does not find its facet any more.
+  InterfaceDescription description = pressed(0.);
+  description.search_distance      = .1;
+  description.skin                 = .1;
+  const HeightOf flat = [](double, double) { return 0.; };
+  const HeightOf low  = [](double, double) { return -.05; };
+  TwoSurfaces    pair({3, 2, -.7, .9, low, false},
+                   {3, 8, -2., 2., flat, true},
+                   MasterKind::deformable,
+                   description);
+  const Values   start(pair.n, 0.);
+  system_answer(pair, start, 8);
+  ASSERT_EQ(pair.count(4), 9u);
+  EXPECT_NO_THROW(
+    system_answer(pair, pair.shifted_slave(vector(1., 0., 0.)), 9));
 }

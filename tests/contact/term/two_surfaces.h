@@ -150,7 +150,12 @@ namespace demold
       return result;
     }
 
-    void evaluate(const Values &values, Assembler &assembler)
+    /// @p between is done when the term has seen the state and knows its
+    /// couplings.
+    void evaluate(const Values &                values,
+                  Assembler &                   assembler,
+                  const unsigned int            iteration = 0,
+                  const std::function<void()> & between   = [] {})
     {
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -159,8 +164,9 @@ namespace demold
         }
       u.compress(dealii::VectorOperation::insert);
       u_old.compress(dealii::VectorOperation::insert);
-      const Configuration now = {u, u_old, time + dt, dt, 0};
+      const Configuration now = {u, u_old, time + dt, dt, iteration};
       term->prepare(now);
+      between();
       term->assemble(now, assembler);
     }
 
