@@ -364,6 +364,19 @@ namespace demold
                                  surface.bound(found.facet).normal >
                                smooth_cosine)
       return true;
+    if (contact[p].closed && found.kind != ContactCase::face)
+      {
+        // Concave, as the point is behind it: an edge or corner of the facet
+        // that held the point leaves no way through.
+        const auto &held  = surface.facet(contact[p].last_facet).nodes;
+        const auto &nodes = found.nodes;
+        if (std::all_of(nodes.begin(),
+                        nodes.begin() + found.n_nodes,
+                        [&held](const unsigned int i) {
+                          return std::count(held.begin(), held.end(), i) > 0;
+                        }))
+          return true;
+      }
     const Point<3> x_old =
       master.carried(state.time - state.dt,
                      current(slave.nodes[points[p].node],

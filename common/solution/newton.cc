@@ -41,7 +41,12 @@ namespace demold
       }
     const ResidualNorms norms = weak_form.residual_norms();
     if (tangent)
-      round_off = 1e-14 * weak_form.matrix.linfty_norm() * norms.extra_scale;
+      // of the displacements, and of F = 1 + H in a body at rest, whose
+      // elements are of the order of a millimetre
+      round_off =
+        weak_form.matrix.linfty_norm() *
+        (1e-14 * norms.extra_scale +
+         1e-15 * std::sqrt(static_cast<double>(weak_form.n_unknowns())));
     const double scale =
       std::max({norms.scale, 1e-4 * largest_force, 1e-300});
     double       residual =

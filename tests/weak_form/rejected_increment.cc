@@ -64,6 +64,7 @@ namespace
 
     BlockOptions loaded;
     loaded.interface = interface(AdhesionUnloading::damage, 0.);
+    loaded.interface->friction = 0.;
     loaded.traction  = [](const double t) {
       return vector(.001 * t, -.02 + .005 * std::sin(t));
     };
