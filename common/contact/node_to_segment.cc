@@ -130,11 +130,31 @@ namespace demold
     for (const SlavePoint &point : points)
       x_points.push_back(slave.nodes[point.node].X);
     search.rebuild(master.surface, x_points);
+    close_initially();
     if (description.adhesion)
       bond_initially();
     contact_trial  = contact;
     friction_trial = friction;
     bond_trial     = bond;
+  }
+
+  void NodeToSegment::close_initially()
+  {
+    for (unsigned int p = 0; p < points.size(); ++p)
+      {
+        const auto found =
+          find_contact(x_points[p],
+                       slave_normal(points[p], slave_surface),
+                       master.surface,
+                       search.candidates(p),
+                       numbers::invalid_unsigned_int,
+                       {description.search_distance, points[p].depth});
+        if (!found)
+          continue;
+        contact[p].closed     = found->gap <= touching;
+        contact[p].gap        = found->gap;
+        contact[p].last_facet = found->facet;
+      }
   }
 
   void NodeToSegment::bond_initially()

@@ -118,6 +118,7 @@ namespace demold
       double lost  = 0.; ///< [mJ] by decohesion in this increment
     };
 
+    void close_initially();
     void bond_initially();
     void bond_again();
     void assemble_bond(const Configuration &,

@@ -125,7 +125,8 @@ namespace demold
 
   double Recorder::energy_balance_error() const
   {
-    return largest_entry > 0. ? largest_gap / largest_entry : 0.;
+    // Below a femtojoule there is nothing but round-off to balance.
+    return largest_entry > 1e-12 ? largest_gap / largest_entry : 0.;
   }
 
   void Recorder::summarise(Summary &summary) const

@@ -17,11 +17,11 @@ namespace
   {
     BlockOptions         result;
     InterfaceDescription interface;
-    interface.friction = friction;
-    result.interface   = interface;
-    result.integrator  = TimeIntegrator();
+    interface.friction        = friction;
+    result.interface          = interface;
+    result.integrator         = TimeIntegrator();
     result.integrator->scheme = scheme;
-    result.mould       = [](double) {
+    result.mould              = [](double) {
       RigidPlacement placement;
       placement.translation[1] = -distance;
       return placement;
@@ -50,8 +50,8 @@ namespace
           largest          = std::max(largest, e.kinetic + e.stored);
           stored           = std::max(stored, e.stored);
           after            = e.kinetic;
-          gap     = std::max(gap, std::abs(e.gap() + before));
-          touched = touched || block.contact->sums().closed > 0.;
+          gap              = std::max(gap, std::abs(e.gap() + before));
+          touched          = touched || block.contact->sums().closed > 0.;
           return true;
         };
         const auto result = run_dynamics(*block.form,

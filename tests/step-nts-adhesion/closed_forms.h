@@ -131,6 +131,12 @@ namespace demold
       return .5 * strength * rupture;
     }
   };
+
+  /// For the names of tests.
+  inline void PrintTo(const Bond &bond, std::ostream *out)
+  {
+    *out << bond.strength << " MPa " << bond.rupture << " mm";
+  }
 } // namespace demold
 
 #endif

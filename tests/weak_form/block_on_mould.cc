@@ -66,10 +66,14 @@ namespace demold
       , dofs(triangulation)
     {
       Triangulation<2> block, base;
-      GridGenerator::subdivided_hyper_rectangle(
-        block, {4, 3}, Point<2>(0., 0.), Point<2>(2., 1.));
-      GridGenerator::subdivided_hyper_rectangle(
-        base, {5, 2}, Point<2>(-1., -1.), Point<2>(3., 0.));
+      GridGenerator::subdivided_hyper_rectangle(block,
+                                                {4, 3},
+                                                Point<2>(0., 0.),
+                                                Point<2>(2., 1.));
+      GridGenerator::subdivided_hyper_rectangle(base,
+                                                {5, 2},
+                                                Point<2>(-1., -1.),
+                                                Point<2>(3., 0.));
       if (with_base)
         GridGenerator::merge_triangulations(block, base, triangulation);
       else
@@ -83,7 +87,8 @@ namespace demold
               const auto   is_at = [y](const double height) {
                 return std::abs(y - height) < 1e-10;
               };
-              cell->face(f)->set_boundary_id(is_at(0.) ? (above ? slave : master) :
+              cell->face(f)->set_boundary_id(is_at(0.) ?
+                                               (above ? slave : master) :
                                              is_at(1.)  ? top :
                                              is_at(-1.) ? ground :
                                                           other);
@@ -101,7 +106,7 @@ namespace demold
     /// Supports at all nodes of the ground and, where it moves, of the top.
     Supports supports(const DoFHandler<2> &dofs, const BlockOptions &options)
     {
-      Supports                                          result;
+      Supports                                               result;
       std::vector<std::pair<dealii::Point<3>, unsigned int>> places;
       const auto hold = [&](const Boundary id) {
         for (const auto &node : extract_surface<2>(dofs, {id}).nodes)
@@ -150,7 +155,7 @@ namespace demold
       DisplacementSpace{MPI_COMM_WORLD,
                         dofs.locally_owned_dofs(),
                         relevant,
-                        [&dofs](DynamicSparsityPattern &         pattern,
+                        [&dofs](DynamicSparsityPattern          &pattern,
                                 const AffineConstraints<double> &constraints) {
                           DoFTools::make_sparsity_pattern(
                             dofs,
@@ -169,8 +174,8 @@ namespace demold
       form->add(
         make_dead_traction<2>(dofs, top, options.traction, PlaneModel()));
     if (options.interface)
-      contact = static_cast<NodeToSegment *>(
-        &form->add(std::make_unique<NodeToSegment>(
+      contact =
+        static_cast<NodeToSegment *>(&form->add(std::make_unique<NodeToSegment>(
           extract_surface<2>(dofs, {slave}),
           options.on_block ?
             Master::deformable(extract_surface<2>(dofs, {master})) :
@@ -258,10 +263,9 @@ namespace demold
   {
     Vector velocity = form->new_vector(), acceleration = form->new_vector();
     for (unsigned int d = 0; d < 2; ++d)
-      for (const auto i :
-           DoFTools::extract_dofs(mesh->dofs,
-                                  mesh->fe.component_mask(
-                                    FEValuesExtractors::Scalar(d))))
+      for (const auto i : DoFTools::extract_dofs(
+             mesh->dofs,
+             mesh->fe.component_mask(FEValuesExtractors::Scalar(d))))
         velocity(i) = v[d];
     velocity.compress(VectorOperation::insert);
     std::stringstream state;

@@ -20,9 +20,7 @@ namespace demold
     bool                                viscous = false;
     std::optional<InterfaceDescription> interface;
     bool                                on_block = false; ///< else on a mould
-    RigidMotion                         mould    = [](double) {
-      return RigidPlacement();
-    };
+    RigidMotion mould = [](double) { return RigidPlacement(); };
 
     /// Displacement [mm] of a point of the top at a time; empty: free.
     std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &, double)> top;
@@ -61,9 +59,9 @@ namespace demold
     /// Gives all nodes the velocity @p v [mm/s].
     void throw_with(const dealii::Tensor<1, 3> &v);
 
-    std::unique_ptr<WeakForm> form;
-    NodeToSegment *           contact = nullptr;
-    Inertia *                 inertia = nullptr;
+    std::unique_ptr<WeakForm>     form;
+    NodeToSegment                *contact = nullptr;
+    Inertia                      *inertia = nullptr;
     std::unique_ptr<LinearSolver> solver;
     std::unique_ptr<Newton>       newton;
     const BlockOptions            options;

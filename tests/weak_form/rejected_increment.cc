@@ -25,12 +25,12 @@ namespace
     InterfaceDescription description;
     description.friction = .1;
     AdhesionLaw law;
-    law.softening       = LinearSoftening{.05, .1, 20.};
-    law.factors         = mode_factors(ModeMixing::energy, .6);
-    law.unloading       = unloading;
-    law.rest_pressure   = .001;
-    law.rest_time       = .5 * dt;
-    law.rest_efficiency = readhesion;
+    law.softening        = LinearSoftening{.05, .1, 20.};
+    law.factors          = mode_factors(ModeMixing::energy, .6);
+    law.unloading        = unloading;
+    law.rest_pressure    = .001;
+    law.rest_time        = .5 * dt;
+    law.rest_efficiency  = readhesion;
     description.adhesion = law;
     return description;
   }
@@ -39,7 +39,8 @@ namespace
   /// stiffer than the bonds soften, 0.18 MPa/mm: no jumps.
   Tensor<1, 3> press_and_slide(const dealii::Point<3> &, const double t)
   {
-    return vector(.07 * std::max(0., t - dt), -.01 + .001 * std::abs(t - 2. * dt));
+    return vector(.07 * std::max(0., t - dt),
+                  -.01 + .001 * std::abs(t - 2. * dt));
   }
 
   struct Scene
@@ -63,9 +64,9 @@ namespace
     viscous.viscous      = true;
 
     BlockOptions loaded;
-    loaded.interface = interface(AdhesionUnloading::damage, 0.);
+    loaded.interface           = interface(AdhesionUnloading::damage, 0.);
     loaded.interface->friction = 0.;
-    loaded.traction  = [](const double t) {
+    loaded.traction            = [](const double t) {
       return vector(.001 * t, -.02 + .005 * std::sin(t));
     };
 
@@ -85,7 +86,7 @@ namespace
     dynamic.viscous      = true;
     dynamic.integrator   = TimeIntegrator();
 
-    BlockOptions blended = dynamic;
+    BlockOptions blended       = dynamic;
     blended.integrator->scheme = "hht";
 
     return {{"elastic solid", elastic},
@@ -118,9 +119,9 @@ namespace
       }
     double difference = 0.;
     for (const auto i : a.form->accepted.locally_owned_elements())
-      difference = std::max(difference,
-                            std::abs(a.form->accepted(i) -
-                                     b.form->accepted(i)));
+      difference =
+        std::max(difference,
+                 std::abs(a.form->accepted(i) - b.form->accepted(i)));
     EXPECT_LE(difference, tolerance) << "mm";
     const auto of_a = a.form->energies().as_array();
     const auto of_b = b.form->energies().as_array();

@@ -53,16 +53,41 @@ namespace
       return std::abs(x) + std::abs(y) < .1 ? .1 : pit(x, y) + .25;
     };
     const Tensor<1, 3> e_x = vector(1., 0., 0.), e_y = vector(0., 1., 0.);
-    return {{"line", {2, 3, -1.5, 1.3, above(slope), false},
-             {2, 2, -2., 2., slope, true}, 4, 3, e_x, .02},
-            {"node of a line", {2, 2, -1., 1., into_pit, false},
-             {2, 2, -2., 2., pit, true}, 2, 1, e_x, .01},
-            {"face", {3, 3, -1.5, 1.3, above(slope), false},
-             {3, 2, -2., 2., slope, true}, 16, 9, .6 * e_x + .8 * e_y, .02},
-            {"edge", {3, 2, -1., 1., into_valley, false},
-             {3, 2, -2., 2., valley, true}, 4, 3, e_y, .01},
-            {"vertex", {3, 2, -1., 1., into_pit, false},
-             {3, 2, -2., 2., pit, true}, 4, 1, .6 * e_x + .8 * e_y, .01}};
+    return {{"line",
+             {2, 3, -1.5, 1.3, above(slope), false},
+             {2, 2, -2., 2., slope, true},
+             4,
+             3,
+             e_x,
+             .02},
+            {"node of a line",
+             {2, 2, -1., 1., into_pit, false},
+             {2, 2, -2., 2., pit, true},
+             2,
+             1,
+             e_x,
+             .01},
+            {"face",
+             {3, 3, -1.5, 1.3, above(slope), false},
+             {3, 2, -2., 2., slope, true},
+             16,
+             9,
+             .6 * e_x + .8 * e_y,
+             .02},
+            {"edge",
+             {3, 2, -1., 1., into_valley, false},
+             {3, 2, -2., 2., valley, true},
+             4,
+             3,
+             e_y,
+             .01},
+            {"vertex",
+             {3, 2, -1., 1., into_pit, false},
+             {3, 2, -2., 2., pit, true},
+             4,
+             1,
+             .6 * e_x + .8 * e_y,
+             .01}};
   }
 
   InterfaceDescription pressed(const double friction)
@@ -177,7 +202,7 @@ TEST(InterfaceTangent, of_friction_matches_differences_after_sliding_into_a_pit)
           if (place.master_nodes != 1)
             continue;
           SCOPED_TRACE(place.name + ", " + text(kind));
-          TwoSurfaces pair(place.slave, place.master, kind, pressed(friction));
+          TwoSurfaces  pair(place.slave, place.master, kind, pressed(friction));
           const Values in_pit =
             pair.with_noise(pressed_down(pair), place.noise, 2);
           pair.accept(sum(in_pit, pair.shifted_slave(.12 * place.slide)));
@@ -197,9 +222,12 @@ TEST(InterfaceTangent, stays_exact_when_a_point_slips_onto_another_face)
       };
       // One row of nodes starts at x = -0.1 and ends at x = 0.15, on the next
       // facet; the stick points stay behind.
-      TwoSurfaces  pair({dim, 3, -.1, 1.4,
-                        [&](double x, double y) { return hill(x, y) - .06; },
-                        false},
+      TwoSurfaces  pair({dim,
+                         3,
+                         -.1,
+                         1.4,
+                         [&](double x, double y) { return hill(x, y) - .06; },
+                         false},
                        {dim, 4, -2., 2., hill, true},
                        MasterKind::deformable,
                        pressed(.1));
@@ -227,14 +255,14 @@ namespace
                             {"proportional", ModeMixing::proportional, .6}};
 
   /// Peak 0.2 MPa at 0.01 mm, nothing left at 0.1 mm.
-  InterfaceDescription bonded(const Mixing &          mixing,
+  InterfaceDescription bonded(const Mixing           &mixing,
                               const AdhesionUnloading unloading)
   {
     InterfaceDescription description;
     AdhesionLaw          law;
-    law.softening = LinearSoftening{.2, .1, 20.};
-    law.factors   = mode_factors(mixing.mixing, mixing.coupling);
-    law.unloading = unloading;
+    law.softening        = LinearSoftening{.2, .1, 20.};
+    law.factors          = mode_factors(mixing.mixing, mixing.coupling);
+    law.unloading        = unloading;
     description.adhesion = law;
     return description;
   }
@@ -246,12 +274,15 @@ namespace
                        const double                gap = 0.)
   {
     const HeightOf slope = [](double x, double y) { return .1 * x + .05 * y; };
-    return TwoSurfaces(
-      {dim, 3, -1.5, 1.3,
-       [=](double x, double y) { return slope(x, y) + gap; }, false},
-      {dim, 2, -2., 2., slope, true},
-      kind,
-      description);
+    return TwoSurfaces({dim,
+                        3,
+                        -1.5,
+                        1.3,
+                        [=](double x, double y) { return slope(x, y) + gap; },
+                        false},
+                       {dim, 2, -2., 2., slope, true},
+                       kind,
+                       description);
   }
 
   /// Normal of the slope times @p opening plus a slip along it.
@@ -279,10 +310,10 @@ namespace
         SCOPED_TRACE("opening " + std::to_string(opening));
         TwoSurfaces pair = touching(dim, kind, description);
         const auto  at   = [&](const double size, const int seed) {
-          return pair.with_noise(
-            pair.shifted_slave(gap_vector(dim, opening * size, .8 * size)),
-            .05 * size,
-            seed);
+          return pair.with_noise(pair.shifted_slave(
+                                   gap_vector(dim, opening * size, .8 * size)),
+                                 .05 * size,
+                                 seed);
         };
         EXPECT_LT(pair.tangent_error(at(.003, 6)), tolerance);
         EXPECT_EQ(pair.count(0), n_points);
@@ -353,8 +384,10 @@ TEST(InterfaceTangent, of_bond_and_friction_together_matches_differences)
           description.friction         = .3;
           description.friction_penalty = 50.;
           TwoSurfaces pair             = touching(dim, kind, description);
-          pair.accept(pair.with_noise(
-            pair.shifted_slave(gap_vector(dim, -.02, 0.)), .002, 10));
+          pair.accept(
+            pair.with_noise(pair.shifted_slave(gap_vector(dim, -.02, 0.)),
+                            .002,
+                            10));
           // 1 MPa below, 2.5 MPa above the limit of 1.2 MPa
           const Values at =
             pair.with_noise(pair.shifted_slave(gap_vector(dim, -.02, slip)),
@@ -373,17 +406,20 @@ namespace
     Vector       residual;
   };
 
-  SystemAnswer system_answer(TwoSurfaces &      pair,
-                             const Values &     at,
+  SystemAnswer system_answer(TwoSurfaces       &pair,
+                             const Values      &at,
                              const unsigned int iteration = 0)
   {
     dealii::AffineConstraints<double> none;
     none.close();
     SystemAnswer result;
     result.residual.reinit(pair.owned, MPI_COMM_SELF);
-    Vector unused(result.residual);
-    SystemAssembler system(
-      none, result.residual, unused, &result.matrix, false);
+    Vector          unused(result.residual);
+    SystemAssembler system(none,
+                           result.residual,
+                           unused,
+                           &result.matrix,
+                           false);
     pair.evaluate(at, system, iteration, [&] {
       dealii::DynamicSparsityPattern pattern(pair.n);
       pair.term->add_couplings(pattern, none);
@@ -408,7 +444,7 @@ TEST(InterfaceTangent, arrives_unchanged_in_the_matrix_of_the_system)
     pair.with_noise(pair.shifted_slave(gap_vector(3, -.02, .05)), .002, 12);
   const DenseAssembler dense = pair.evaluate(at);
 
-  const SystemAnswer system = system_answer(pair, at);
+  const SystemAnswer system  = system_answer(pair, at);
   const double       largest = dense.K.linfty_norm();
   for (unsigned int i = 0; i < pair.n; ++i)
     {
@@ -418,15 +454,16 @@ TEST(InterfaceTangent, arrives_unchanged_in_the_matrix_of_the_system)
     }
 }
 
-TEST(InterfaceTangent, fits_the_matrix_when_a_kept_pairing_leaves_the_candidates)
+TEST(InterfaceTangent,
+     fits_the_matrix_when_a_kept_pairing_leaves_the_candidates)
 {
   // Newton keeps pairings after some iterations; a node may then be thrown so
   // far that a new search does not find its facet any more.
   InterfaceDescription description = pressed(0.);
   description.search_distance      = .1;
   description.skin                 = .1;
-  const HeightOf flat = [](double, double) { return 0.; };
-  const HeightOf low  = [](double, double) { return -.05; };
+  const HeightOf flat              = [](double, double) { return 0.; };
+  const HeightOf low               = [](double, double) { return -.05; };
   TwoSurfaces    pair({3, 2, -.7, .9, low, false},
                    {3, 8, -2., 2., flat, true},
                    MasterKind::deformable,

@@ -20,11 +20,12 @@ namespace
   Tensor<2, 3> rotation(const unsigned int dim, const double angle)
   {
     // any axis in space; out of the plane in two dimensions
-    const dealii::Point<3> axis =
-      dim == 2 ? dealii::Point<3>(0., 0., 1.) :
-                 dealii::Point<3>(2. / 7., 3. / 7., 6. / 7.);
+    const dealii::Point<3> axis = dim == 2 ?
+                                    dealii::Point<3>(0., 0., 1.) :
+                                    dealii::Point<3>(2. / 7., 3. / 7., 6. / 7.);
     return dealii::Physics::Transformations::Rotations::rotation_matrix_3d(
-      axis, angle);
+      axis,
+      angle);
   }
 
   /// Turns with unit angular velocity about a centre off the surfaces.
@@ -55,8 +56,8 @@ namespace
 
   /// Displacements @p base, then turned as at @p time.
   Values turned(const TwoSurfaces &pair,
-                const Turning &    turning,
-                const Values &     base,
+                const Turning     &turning,
+                const Values      &base,
                 const double       time)
   {
     const RigidPlacement placement = turning(time);
@@ -83,14 +84,14 @@ namespace
     double            gap;     ///< [mm] before anything moves
     double            opening; ///< [mm] along z when the rotation begins
     double            slip;    ///< [mm]
-    double            last; ///< slip when the rotation begins, over `slip`
+    double            last;    ///< slip when the rotation begins, over `slip`
     double            friction;
     bool              bonded;
     AdhesionUnloading unloading;
     int               state; ///< of all points before the rotation
   };
 
-  void check_rotation(const Scene &      scene,
+  void check_rotation(const Scene       &scene,
                       const unsigned int dim,
                       const MasterKind   kind)
   {
@@ -107,18 +108,19 @@ namespace
         description.adhesion = law;
       }
     const double   gap  = scene.gap;
-    const HeightOf hill = [](double x, double y) {
-      return .1 * x + .05 * y;
-    };
+    const HeightOf hill = [](double x, double y) { return .1 * x + .05 * y; };
     const unsigned int n_base = 3;
     const Turning      turning{dim, n_base * 1.};
-    TwoSurfaces        pair(
-      {dim, 3, -1.5, 1.3,
-       [=](double x, double y) { return hill(x, y) + gap; }, false},
-      {dim, 2, -2., 2., hill, true},
-      kind,
-      description,
-      turning);
+    TwoSurfaces        pair({dim,
+                             3,
+                             -1.5,
+                             1.3,
+                             [=](double x, double y) { return hill(x, y) + gap; },
+                             false},
+                     {dim, 2, -2., 2., hill, true},
+                     kind,
+                     description,
+                     turning);
 
     // closes or opens, slides, then slides back or on a little
     Tensor<1, 3> shift;
@@ -127,7 +129,7 @@ namespace
       {
         shift[0]       = slip;
         shift[dim - 1] = scene.opening;
-        base = pair.with_noise(pair.shifted_slave(shift), .002, 1);
+        base           = pair.with_noise(pair.shifted_slave(shift), .002, 1);
         pair.accept(base);
       }
     for (const int state : pair.states())
@@ -138,8 +140,8 @@ namespace
     for (unsigned int k = 1; k <= n_increments; ++k)
       pair.accept(turned(pair, turning, base, turning.start + k));
 
-    const Tensor<2, 3> Q      = rotation(dim, total_angle);
-    const auto         after  = pair.term->report();
+    const Tensor<2, 3> Q     = rotation(dim, total_angle);
+    const auto         after = pair.term->report();
     double             error = 0., largest = 0.;
     for (unsigned int p = 0; p < after.size(); ++p)
       {
@@ -185,7 +187,8 @@ TEST(RigidMotion, leaves_the_tractions_of_plastically_unloaded_bonds_unchanged)
 
 TEST(RigidMotion, leaves_the_tractions_of_bonds_over_a_gap_unchanged)
 {
-  check_rotation({.03, .004, .003, .95, 0., true, AdhesionUnloading::damage, 0});
+  check_rotation(
+    {.03, .004, .003, .95, 0., true, AdhesionUnloading::damage, 0});
 }
 
 TEST(RigidMotion, leaves_pressure_and_friction_of_a_sliding_pair_unchanged)

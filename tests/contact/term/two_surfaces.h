@@ -33,8 +33,8 @@ namespace demold
         R(indices[i]) += r(i);
     }
 
-    void add(const Indices &                   indices,
-             const dealii::Vector<double> &    r,
+    void add(const Indices                    &indices,
+             const dealii::Vector<double>     &r,
              const dealii::FullMatrix<double> &k) override
     {
       add(indices, r);
@@ -60,9 +60,9 @@ namespace demold
     bool         faces_up;
   };
 
-  inline BoundarySurface make_surface(const Grid &                    grid,
-                                      const dealii::types::global_dof_index
-                                        first_unknown)
+  inline BoundarySurface
+  make_surface(const Grid                           &grid,
+               const dealii::types::global_dof_index first_unknown)
   {
     BoundarySurface    surface;
     const unsigned int n_y  = grid.dim == 2 ? 0 : grid.n;
@@ -70,9 +70,9 @@ namespace demold
     for (unsigned int j = 0; j <= n_y; ++j)
       for (unsigned int i = 0; i <= grid.n; ++i)
         {
-          const double h = (grid.to - grid.from) / grid.n;
-          const double x = grid.from + i * h;
-          const double y = grid.dim == 2 ? 0. : grid.from + j * h;
+          const double          h = (grid.to - grid.from) / grid.n;
+          const double          x = grid.from + i * h;
+          const double          y = grid.dim == 2 ? 0. : grid.from + j * h;
           BoundarySurface::Node node;
           node.X = grid.dim == 2 ? dealii::Point<3>(x, grid.z(x, y), 0.) :
                                    dealii::Point<3>(x, y, grid.z(x, y));
@@ -114,13 +114,12 @@ namespace demold
   public:
     using Values = std::vector<double>;
 
-    TwoSurfaces(const Grid &                slave_grid,
-                const Grid &                master_grid,
-                const MasterKind            kind,
-                const InterfaceDescription &description,
-                const RigidMotion &motion = [](double) {
-                  return RigidPlacement();
-                })
+    TwoSurfaces(
+      const Grid                 &slave_grid,
+      const Grid                 &master_grid,
+      const MasterKind            kind,
+      const InterfaceDescription &description,
+      const RigidMotion &motion = [](double) { return RigidPlacement(); })
       : dim(slave_grid.dim)
       , slave(make_surface(slave_grid, 0))
       , master(make_surface(master_grid, dim * slave.nodes.size()))
@@ -132,14 +131,15 @@ namespace demold
       owned    = dealii::complete_index_set(n);
       for (Vector *v : {&u, &u_old})
         v->reinit(owned, MPI_COMM_SELF);
-      term = std::make_unique<NodeToSegment>(
-        slave,
-        kind == MasterKind::rigid ?
-          Master::rigid(master.facets, master.positions(), motion) :
-          Master::deformable(master),
-        description,
-        owned,
-        MPI_COMM_SELF);
+      term = std::make_unique<NodeToSegment>(slave,
+                                             kind == MasterKind::rigid ?
+                                               Master::rigid(master.facets,
+                                                             master.positions(),
+                                                             motion) :
+                                               Master::deformable(master),
+                                             description,
+                                             owned,
+                                             MPI_COMM_SELF);
     }
 
     /// Residual and tangent at the trial @p values.
@@ -152,10 +152,11 @@ namespace demold
 
     /// @p between is done when the term has seen the state and knows its
     /// couplings.
-    void evaluate(const Values &                values,
-                  Assembler &                   assembler,
-                  const unsigned int            iteration = 0,
-                  const std::function<void()> & between   = [] {})
+    void evaluate(
+      const Values                &values,
+      Assembler                   &assembler,
+      const unsigned int           iteration = 0,
+      const std::function<void()> &between   = [] {})
     {
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -190,7 +191,9 @@ namespace demold
     }
 
     /// @p values plus noise of @p amplitude [mm] on every node that moves.
-    Values with_noise(Values values, const double amplitude, const int seed) const
+    Values with_noise(Values       values,
+                      const double amplitude,
+                      const int    seed) const
     {
       std::mt19937                           generator(seed);
       std::uniform_real_distribution<double> noise(-amplitude, amplitude);
@@ -255,7 +258,7 @@ namespace demold
     const unsigned int             dim;
     const BoundarySurface          slave, master;
     const MasterKind               kind;
-    unsigned int                   n = 0;
+    unsigned int                   n    = 0;
     double                         time = 0., dt = 1.;
     Values                         accepted;
     dealii::IndexSet               owned;

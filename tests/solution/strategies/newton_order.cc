@@ -22,7 +22,7 @@ namespace
   };
 
   BlockOptions options(const InterfaceDescription &interface,
-                       const Path &                path,
+                       const Path                 &path,
                        const bool                  on_block)
   {
     BlockOptions result;
@@ -59,8 +59,12 @@ namespace
     form.trial += noise(form, amplitude);
     form.assemble(true, 1);
     Vector correction = form.new_vector();
-    block.solver->solve(
-      form.matrix, correction, form.right_hand_side, 1e-12, false, false);
+    block.solver->solve(form.matrix,
+                        correction,
+                        form.right_hand_side,
+                        1e-12,
+                        false,
+                        false);
     form.update(correction, 1.);
     form.assemble(false, 2);
     return form.residual_norms().free;
@@ -83,8 +87,8 @@ namespace
   /// Solves the second increment, then asks what one more correction leaves of
   /// a small error: a quarter of it leaves a sixteenth.
   void check_order(const InterfaceDescription &interface,
-                   const Path &                path,
-                   const std::vector<int> &    states)
+                   const Path                 &path,
+                   const std::vector<int>     &states)
   {
     for (const bool on_block : {false, true})
       {

@@ -100,7 +100,7 @@ namespace
           MPI_COMM_SELF,
           all,
           all,
-          [](dealii::DynamicSparsityPattern &         pattern,
+          [](dealii::DynamicSparsityPattern          &pattern,
              const dealii::AffineConstraints<double> &constraints) {
             constraints.add_entries_local_to_global(
               std::vector<dealii::types::global_dof_index>{0, 1},
@@ -123,8 +123,13 @@ namespace
       increments.first = increments.largest = end / n;
       increments.smallest                   = 1e-6 * end / n;
       increments.growth                     = 1.;
-      const auto result = run_dynamics(
-        *form, newton, *inertia, integrator, increments, end, on_accept);
+      const auto result                     = run_dynamics(*form,
+                                       newton,
+                                       *inertia,
+                                       integrator,
+                                       increments,
+                                       end,
+                                       on_accept);
       ASSERT_FALSE(result.gave_up) << result.reason;
       ASSERT_EQ(result.increments, n);
     }
@@ -140,7 +145,7 @@ namespace
     LinearSolver              solver;
     Newton                    newton;
     std::unique_ptr<WeakForm> form;
-    Inertia *                 inertia;
+    Inertia                  *inertia;
   };
 
   TimeIntegrator integrator(const std::string &scheme)
