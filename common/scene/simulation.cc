@@ -476,6 +476,40 @@ namespace demold
     }
   } // namespace
 
+  namespace
+  {
+    /// Longest edge [mm] of the faces that may stick.
+    template <int dim>
+    double largest_edge(const Triangulation<dim> &          mesh,
+                        const std::set<types::boundary_id> &boundaries)
+    {
+      double largest = 0.;
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && boundaries.count(face->boundary_id()) > 0)
+            {
+              if constexpr (dim == 2)
+                largest = std::max(largest, face->measure());
+              else
+                for (unsigned int e = 0; e < face->n_lines(); ++e)
+                  largest = std::max(largest, face->line(e)->measure());
+            }
+      return largest;
+    }
+
+    std::string mesh_warning(const double edge, const double cohesive_zone)
+    {
+      std::ostringstream text;
+      if (edge > cohesive_zone / 3.)
+        text << "WARNING: interface elements reach " << edge
+             << " mm, above l_cz/3 = " << cohesive_zone / 3.
+             << " mm: the cohesive zone is not resolved, force and jumps will "
+                "depend on the mesh. Make elements smaller, or lower the "
+                "strength at equal G_c.\n";
+      return text.str();
+    }
+  } // namespace
+
   template <int dim>
   RunStatus run_simulation(const Scene<dim> &     scene,
                            const SceneParameters &parameters,
@@ -527,12 +561,17 @@ namespace demold
          << (dim == 2 ? unknowns * 1e-3 : 1.2e-5 * std::pow(unknowns, 4. / 3.))
          << " MiB\n";
     if (parameters.interface.adhesion.active() && !scene.slave.empty())
-      text << stability_preview(parameters.interface.adhesion.law().softening,
-                                law.young_relaxed(),
-                                law.young_instantaneous(),
-                                law.poisson_relaxed(),
-                                scene.height)
-                .text();
+      {
+        const StabilityPreview stability =
+          stability_preview(parameters.interface.adhesion.law().softening,
+                            law.young_relaxed(),
+                            law.young_instantaneous(),
+                            law.poisson_relaxed(),
+                            scene.height);
+        text << stability.text()
+             << mesh_warning(largest_edge(mesh, scene.slave),
+                             stability.relaxed.cohesive_zone);
+      }
     return text.str();
   }
 
