@@ -8,8 +8,9 @@
 
 namespace demold
 {
-  /// KINSOL with line search; a tangent is kept for up to ten iterations while
-  /// it serves (modified Newton). The first correction, which brings the
+  /// KINSOL with line search; an assembled tangent is kept for up to ten
+  /// iterations while it serves (modified Newton), though it is factorised
+  /// again in each. The first correction, which brings the
   /// supports to their places, is a full Newton step. Converged when the
   /// largest unbalanced force is below `residual tolerance` times the same
   /// scale as in Newton.
