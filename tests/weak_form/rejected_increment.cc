@@ -3,8 +3,11 @@
 // that an increment depends on.
 #include "block_on_mould.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace demold;
@@ -99,6 +102,13 @@ namespace
             {"inertia and blended bulk forces", blended}};
   }
 
+  /// How well two runs repeat each other: bitwise on one rank; on several the
+  /// direct solver adds up contributions in the order of their arrival.
+  double repetition()
+  {
+    return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ? 0. : 1e-10;
+  }
+
   void advance(BlockOnMould &block, const unsigned int n)
   {
     for (unsigned int k = 0; k < n; ++k)
@@ -139,17 +149,17 @@ TEST(RejectedIncrement, leaves_every_term_bitwise_as_it_was)
       advance(block, 3);
       advance(other, 3);
       const std::string before = block.saved();
-      ASSERT_TRUE(before == other.saved()) << "runs do not repeat";
+      expect_same_state(block, other, repetition());
 
       block.assemble_noise(block.form->time() + dt, .02);
       EXPECT_TRUE(block.saved() == before) << "committed without commit()";
       block.form->reject();
       EXPECT_TRUE(block.saved() == before);
-      expect_same_state(block, other, 0.);
+      expect_same_state(block, other, repetition());
 
       block.try_and_reject(block.form->time() + 2. * dt);
       EXPECT_TRUE(block.saved() == before);
-      expect_same_state(block, other, 0.);
+      expect_same_state(block, other, repetition());
     }
 }
 
@@ -169,7 +179,9 @@ TEST(RejectedIncrement, does_not_change_the_increments_that_follow)
           block.try_and_reject(block.form->time() + 1.5 * dt);
           advance(block, 1);
           advance(other, 1);
-          expect_same_state(block, other, scene.tolerance);
+          expect_same_state(block,
+                            other,
+                            std::max(scene.tolerance, repetition()));
         }
     }
 }
@@ -194,7 +206,9 @@ TEST(Checkpoint, of_a_weak_form_is_bitwise_and_complete)
         {
           advance(block, 1);
           advance(restarted, 1);
-          expect_same_state(restarted, block, 1e-12);
+          expect_same_state(restarted,
+                            block,
+                            std::max(1e-12, repetition()));
         }
     }
 }
