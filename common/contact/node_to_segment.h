@@ -55,7 +55,6 @@ namespace demold
     double               area   = 0.;   ///< [mm^2] of the slave surface
     double               bonded = 0.;   ///< [mm^2] with a bond
     double               closed = 0.;   ///< [mm^2] under pressure
-    double               fracture_energy = 0.; ///< [mJ] of what was bonded
     unsigned int         points = 0;
   };
 

@@ -135,27 +135,12 @@ namespace demold
       return terms;
     }
 
-    const DisplacementSpace &displacements() const
-    {
-      return space;
-    }
-
     /// Prescribed entries of @p v set to zero.
     void set_supports_to_zero(Vector &v) const;
 
     double time() const
     {
       return accepted_time;
-    }
-
-    double trial_time() const
-    {
-      return new_time;
-    }
-
-    double trial_dt() const
-    {
-      return new_time - accepted_time;
     }
 
     /// How often the pattern was built; the linear solver forgets with it.
