@@ -127,7 +127,8 @@ namespace
     std::string mould_facets = "20, 20";
     std::string corners; // of a polyline
 
-    std::string held, driven;
+    std::string held = "auto";
+    std::string driven;
     std::string motion[3] = {"0", "0", "0"};
     std::string traction_boundary;
     std::string traction = "0, 0, 0";
@@ -205,7 +206,8 @@ namespace
     prm.add_parameter("held",
                       held,
                       "boundary and components at rest, such as top xy, left "
-                      "x; body: every node");
+                      "x; body: every node; auto: the top, unless something "
+                      "is driven");
     prm.add_parameter("driven",
                       driven,
                       "boundary and components that follow the motion");
@@ -247,6 +249,14 @@ namespace
 
   // ## From entries to a scene
   //
+  // Holds the top of the body if the file says nothing about supports.
+  std::string held(const Parameters &p)
+  {
+    if (p.held != "auto")
+      return p.held;
+    return !p.driven.empty() ? "" : p.scene.dim() == 3 ? "top xyz" : "top xy";
+  }
+
   // "top xy, left x" becomes one rule per component.
   template <int dim>
   void add_supports(const std::string &        list,
@@ -388,7 +398,7 @@ namespace
       make_mesh<dim>(p, triangulation);
     };
     add_supports<dim>(p.driven, "Supports/driven", &p, scene.supports);
-    add_supports<dim>(p.held, "Supports/held", nullptr, scene.supports);
+    add_supports<dim>(held(p), "Supports/held", nullptr, scene.supports);
     if (!p.traction_boundary.empty())
       scene.tractions.push_back(
         {boundary_id(p.traction_boundary, "Supports/traction boundary"),

@@ -74,7 +74,8 @@ namespace demold
   /// - otherwise the nearest of the shared edges and of the interior vertices.
   ///   It must be the closest point of all facets that meet there, opposing or
   ///   not. It also wins over an open face that is farther away if the node
-  ///   lies inside the body there: that face is seen through the body.
+  ///   lies inside the body there: that face is seen through the body. A face
+  ///   that is touched within round-off is not.
   ///
   /// Nothing outside -depth <= gap <= search_distance is returned.
   std::optional<ContactPoint>

@@ -12,17 +12,15 @@ namespace demold
   namespace
   {
     /// Weight of node @p b of q in a force: 1 for the slave, -N_I beyond.
-    double
-    weight(const ContactKinematics &kin, const unsigned int b)
+    double weight(const ContactKinematics &kin, const unsigned int b)
     {
       return b == 0 ? 1. : -kin.N[b - 1];
     }
 
     /// Derivative of that weight by entry @p j of q.
-    double
-    weight_derivative(const ContactKinematics &kin,
-                      const unsigned int       b,
-                      const unsigned int       j)
+    double weight_derivative(const ContactKinematics &kin,
+                             const unsigned int       b,
+                             const unsigned int       j)
     {
       if (b == 0)
         return 0.;
@@ -31,8 +29,8 @@ namespace demold
     }
 
     /// dx_s - sum N_I dx_I for a unit change of entry @p j of q.
-    Tensor<1, 3>
-    relative_change(const ContactKinematics &kin, const unsigned int j)
+    Tensor<1, 3> relative_change(const ContactKinematics &kin,
+                                 const unsigned int       j)
     {
       Tensor<1, 3> dd;
       if (!(kin.in_plane && j % 3 == 2))
@@ -40,18 +38,16 @@ namespace demold
       return dd;
     }
 
-    void
-    store(std::array<std::array<double, 15>, 3> &matrix,
-          const unsigned int                     j,
-          const Tensor<1, 3>                    &column)
+    void store(std::array<std::array<double, 15>, 3> &matrix,
+               const unsigned int                     j,
+               const Tensor<1, 3>                    &column)
     {
       for (unsigned int i = 0; i < 3; ++i)
         matrix[i][j] = column[i];
     }
 
-    Tensor<1, 3>
-    column(const std::array<std::array<double, 15>, 3> &matrix,
-           const unsigned int                           j)
+    Tensor<1, 3> column(const std::array<std::array<double, 15>, 3> &matrix,
+                        const unsigned int                           j)
     {
       Tensor<1, 3> result;
       for (unsigned int i = 0; i < 3; ++i)
@@ -59,8 +55,7 @@ namespace demold
       return result;
     }
 
-    void
-    face_derivatives(const FacetFrame &frame, ContactKinematics &kin)
+    void face_derivatives(const FacetFrame &frame, ContactKinematics &kin)
     {
       const auto        &a = frame.a;
       const Tensor<1, 3> d = kin.x_s - kin.x_m;
@@ -99,11 +94,10 @@ namespace demold
 
     /// @p half: half the edge vector, 0 at a vertex. @p size [mm] decides
     /// which distance is none.
-    void
-    border_derivatives(const Tensor<1, 3> &half,
-                       const double        size,
-                       const Tensor<1, 3> &mean_normal,
-                       ContactKinematics  &kin)
+    void border_derivatives(const Tensor<1, 3> &half,
+                            const double        size,
+                            const Tensor<1, 3> &mean_normal,
+                            ContactKinematics  &kin)
     {
       const Tensor<1, 3> d        = kin.x_s - kin.x_m;
       const double       distance = d.norm();
@@ -132,10 +126,9 @@ namespace demold
     }
   } // namespace
 
-  ContactKinematics
-  contact_kinematics(const ContactPoint   &point,
-                     const Point<3>       &x_s,
-                     const ContactSurface &surface)
+  ContactKinematics contact_kinematics(const ContactPoint   &point,
+                                       const Point<3>       &x_s,
+                                       const ContactSurface &surface)
   {
     const FacetPositions facet = surface.facet_positions(point.facet);
 
@@ -169,16 +162,17 @@ namespace demold
       kin.N[0] = 1.;
     for (unsigned int i = 0; i < kin.n_nodes; ++i)
       kin.x_m += kin.N[i] * Tensor<1, 3>(x[kin.nodes[i]]);
-    border_derivatives(
-      half, (facet.x[1] - facet.x[0]).norm(), point.mean_normal, kin);
+    border_derivatives(half,
+                       (facet.x[1] - facet.x[0]).norm(),
+                       point.mean_normal,
+                       kin);
     return kin;
   }
 
-  void
-  normal_contact_force(const ContactKinematics                &kin,
-                       const double                            stiffness,
-                       std::array<double, 15>                 &R,
-                       std::array<std::array<double, 15>, 15> &K)
+  void normal_contact_force(const ContactKinematics                &kin,
+                            const double                            stiffness,
+                            std::array<double, 15>                 &R,
+                            std::array<std::array<double, 15>, 15> &K)
   {
     for (unsigned int b = 0; b <= kin.n_nodes; ++b)
       for (unsigned int c = 0; c < 3; ++c)
@@ -196,10 +190,9 @@ namespace demold
   namespace
   {
     /// Derivative of (1 - n n)(x_s - x_anchor) by entry @p j of q.
-    Tensor<1, 3>
-    tangential_gap_change(const ContactKinematics &kin,
-                          const FrictionAnchor    &anchor,
-                          const unsigned int       j)
+    Tensor<1, 3> tangential_gap_change(const ContactKinematics &kin,
+                                       const FrictionAnchor    &anchor,
+                                       const unsigned int       j)
     {
       const Tensor<1, 3> &n      = kin.normal;
       const Tensor<1, 3>  r      = kin.x_s - anchor.x;
@@ -220,10 +213,14 @@ namespace demold
     }
   } // namespace
 
-  FrictionForce
-  friction_force(const ContactKinematics &kin,
-                 const FrictionAnchor    &anchor,
-                 const FrictionPenalties &penalties)
+  double loss_of_opening(const Tensor<1, 3> &traction, const Tensor<1, 3> &gap)
+  {
+    return std::max(0., .5 * traction * gap);
+  }
+
+  FrictionForce friction_force(const ContactKinematics &kin,
+                               const FrictionAnchor    &anchor,
+                               const FrictionPenalties &penalties)
   {
     FrictionForce force;
     force.n_dofs = kin.n_dofs() + 3 * anchor.n_nodes;
@@ -236,7 +233,11 @@ namespace demold
     force.limit =
       penalties.coefficient * penalties.normal * std::max(0., -kin.gap);
     if (force.limit <= 0.)
-      return force;
+      {
+        force.slip        = g;
+        force.dissipation = loss_of_opening(anchor.traction, g);
+        return force;
+      }
 
     const bool         sticks = force.trial <= force.limit;
     const double       factor = sticks ? 1. : force.limit / force.trial;
@@ -244,7 +245,7 @@ namespace demold
     force.state       = sticks ? FrictionState::stick : FrictionState::slip;
     force.traction    = factor * c_T * g;
     force.slip        = (force.trial - force.limit) / c_T * m;
-    force.dissipation = force.limit * force.slip.norm();
+    force.dissipation = .5 * (anchor.limit + force.limit) * force.slip.norm();
     force.stored      = 0.5 * force.traction.norm_square() / c_T;
 
     for (unsigned int j = 0; j < force.n_dofs; ++j)
@@ -266,11 +267,10 @@ namespace demold
     return force;
   }
 
-  Point<3>
-  new_anchor(const ContactKinematics &kin,
-             const FrictionAnchor    &anchor,
-             const FrictionForce     &force,
-             const FrictionPenalties &penalties)
+  Point<3> new_anchor(const ContactKinematics &kin,
+                      const FrictionAnchor    &anchor,
+                      const FrictionForce     &force,
+                      const FrictionPenalties &penalties)
   {
     if (force.state == FrictionState::stick)
       return anchor.x;

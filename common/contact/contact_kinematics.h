@@ -32,8 +32,7 @@ namespace demold
     std::array<std::array<double, 15>, 3> gap_dnormal{}; ///< [-] gap * dnormal
 
     /// Length of q.
-    unsigned int
-    n_dofs() const
+    unsigned int n_dofs() const
     {
       return 3 * (1 + n_nodes);
     }
@@ -49,21 +48,19 @@ namespace demold
   ///
   /// At an edge or vertex hit exactly (d = 0) the mean normal stands in for
   /// n, with dnormal = 0; gap_dnormal is regular there.
-  ContactKinematics
-  contact_kinematics(const ContactPoint     &point,
-                     const dealii::Point<3> &x_s,
-                     const ContactSurface   &surface);
+  ContactKinematics contact_kinematics(const ContactPoint     &point,
+                                       const dealii::Point<3> &x_s,
+                                       const ContactSurface   &surface);
 
   /// Residual and exact, symmetric tangent of the energy ½ stiffness gap²:
   /// R = stiffness gap n with the weights of the nodes (thesis 3.10). Only the
   /// first n_dofs() entries are written. A penalty in MPa/mm as @p stiffness
   /// gives MPa and MPa/mm, multiplied with the nodal area N and N/mm. Holds
   /// for either sign of the gap: the caller decides what is in contact.
-  void
-  normal_contact_force(const ContactKinematics                &kin,
-                       const double                            stiffness,
-                       std::array<double, 15>                 &R,
-                       std::array<std::array<double, 15>, 15> &K);
+  void normal_contact_force(const ContactKinematics                &kin,
+                            const double                            stiffness,
+                            std::array<double, 15>                 &R,
+                            std::array<std::array<double, 15>, 15> &K);
 
   /// The stick point on the master: a material point of the master, given by
   /// nodes and weights. A rigid master needs its position alone; n_nodes = 0.
@@ -72,7 +69,9 @@ namespace demold
     unsigned int                n_nodes = 0;
     std::array<unsigned int, 4> nodes{};
     std::array<double, 4>       N{};
-    dealii::Point<3>            x; ///< [mm] current position
+    dealii::Point<3>            x;          ///< [mm] current position
+    dealii::Tensor<1, 3>        traction;   ///< t at the step's start [MPa]
+    double                      limit = 0.; ///< L then [MPa]
   };
 
   /// Penalties as in normal_contact_force(): per area or times area.
@@ -103,28 +102,35 @@ namespace demold
     double               trial = 0.;       ///< |t_tr| [MPa]
     double               limit = 0.;       ///< L [MPa]
     dealii::Tensor<1, 3> slip;             ///< [mm] increment of this step
-    double               dissipation = 0.; ///< of this step, L |slip| [mJ/mm^2]
+    double               dissipation = 0.; ///< of this step [mJ/mm^2]
     double               stored      = 0.; ///< c_T/2 |elastic gap|^2 [mJ/mm^2]
   };
+
+  /// Dissipation [mJ/mm^2] of a point that held @p traction [MPa] and opens
+  /// when its stick point is @p gap [mm] behind: the trapezoidal rule.
+  double loss_of_opening(const dealii::Tensor<1, 3> &traction,
+                         const dealii::Tensor<1, 3> &gap);
 
   /// Moving friction cone (theory C.3, thesis 3.16 with erratum E8):
   /// t_tr = c_T (1 - n n)(x_s - x_anchor), limit L = mu omega <-c_N gap>;
   /// stick t = t_tr, slip t = L t_tr/|t_tr|. The force acts with the weights
   /// of the closest point. The tangent is exact: moving normal, moving
   /// weights, pressure dependence of L; omega counts as constant.
-  FrictionForce
-  friction_force(const ContactKinematics &kin,
-                 const FrictionAnchor    &anchor,
-                 const FrictionPenalties &penalties);
+  ///
+  /// The dissipation is ½ (L_n + L_n+1) |slip|: exact where the limit changes
+  /// linearly over the slip, also when the point has stuck at first. A point
+  /// that opens loses loss_of_opening().
+  FrictionForce friction_force(const ContactKinematics &kin,
+                               const FrictionAnchor    &anchor,
+                               const FrictionPenalties &penalties);
 
   /// Where the stick point is after the step [mm]: unmoved in stick, dragged
   /// to x_s - gap n - t/c_T in slip, under the slave node when open. On a
   /// curved master the caller projects it back onto the surface.
-  dealii::Point<3>
-  new_anchor(const ContactKinematics &kin,
-             const FrictionAnchor    &anchor,
-             const FrictionForce     &force,
-             const FrictionPenalties &penalties);
+  dealii::Point<3> new_anchor(const ContactKinematics &kin,
+                              const FrictionAnchor    &anchor,
+                              const FrictionForce     &force,
+                              const FrictionPenalties &penalties);
 } // namespace demold
 
 #endif

@@ -3,36 +3,16 @@
 #ifndef demold_contact_node_to_segment_h
 #define demold_contact_node_to_segment_h
 
-#include "adhesion/adhesion_law.h"
-#include "contact/candidate_search.h"
 #include "contact/contact_kinematics.h"
+#include "contact/interface_description.h"
 #include "contact/point_history.h"
-#include "contact/slave_points.h"
+#include "contact/surface_pair.h"
 #include "weak_form/term.h"
-
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
-
-#include <functional>
-#include <optional>
 
 namespace demold
 {
-  /// What acts between the surfaces.
-  struct InterfaceDescription
-  {
-    double                     penalty         = 200.; ///< c_N [MPa/mm]
-    double                     search_distance = 1.;   ///< [mm]
-    double                     skin            = .5;   ///< [mm]
-    double                     friction         = 0.; ///< mu [-], 0: none
-    double                     friction_penalty = 50.; ///< c_T [MPa/mm]
-    std::optional<AdhesionLaw> adhesion;
-
-    /// Is this reference position bonded at the start?
-    std::function<bool(const dealii::Point<3> &)> bonded =
-      [](const dealii::Point<3> &) { return true; };
-    PlaneModel plane;
-  };
+  /// States of theory C.5 of points without a bond that holds.
+  constexpr int state_contact = 4, state_slip = 5, state_free = 6;
 
   /// One slave point as others see it.
   struct PointReport
@@ -51,10 +31,10 @@ namespace demold
   /// Sums over all slave points and ranks.
   struct InterfaceSums
   {
-    dealii::Tensor<1, 3> force;         ///< [N] of the mould on the rubber
-    double               area   = 0.;   ///< [mm^2] of the slave surface
-    double               bonded = 0.;   ///< [mm^2] with a bond
-    double               closed = 0.;   ///< [mm^2] under pressure
+    dealii::Tensor<1, 3> force;       ///< [N] of the mould on the rubber
+    double               area   = 0.; ///< [mm^2] of the slave surface
+    double               bonded = 0.; ///< [mm^2] with a bond
+    double               closed = 0.; ///< [mm^2] under pressure
     unsigned int         points = 0;
   };
 
@@ -65,32 +45,29 @@ namespace demold
   /// start of the increment. All tangents are exact in the first iterations,
   /// before states are frozen. With a rigid master, mixing with a = b^2 and no
   /// friction they are symmetric.
-  ///
-  /// A point closes by coming through the gap: a rigid facet that it already
-  /// was behind at t_n, without touching its surface, is not believed. Else a
-  /// node that slips off the end of a blade would find itself deep in the
-  /// blade's tip, with energy from nowhere.
   class NodeToSegment : public Term
   {
   public:
     NodeToSegment(BoundarySurface             slave,
                   Master                      master,
                   const InterfaceDescription &description,
-                  const dealii::IndexSet &    owned,
+                  const dealii::IndexSet     &owned,
                   MPI_Comm                    communicator);
 
-    std::string  name() const override;
-    TermKind     kind() const override;
-    bool         symmetric() const override;
-    void         needed_unknowns(dealii::IndexSet &) const override;
-    void         add_couplings(
-              dealii::DynamicSparsityPattern &,
-              const dealii::AffineConstraints<double> &) const override;
-    bool         couplings_changed() const override;
-    void         prepare(const Configuration &) override;
-    bool         assemble(const Configuration &, Assembler &) override;
-    unsigned int n_state_changes() const override;
-    IncrementError           increment_error() const override;
+    std::string name() const override;
+    TermKind    kind() const override;
+    bool        symmetric() const override;
+    void        needed_unknowns(dealii::IndexSet &) const override;
+
+    void
+    add_couplings(dealii::DynamicSparsityPattern &,
+                  const dealii::AffineConstraints<double> &) const override;
+
+    bool           couplings_changed() const override;
+    void           prepare(const Configuration &) override;
+    bool           assemble(const Configuration &, Assembler &) override;
+    unsigned int   n_state_changes() const override;
+    IncrementError increment_error() const override;
     std::vector<ClosedPoint> closed_points() const override;
     Energies                 energies() const override;
     void                     commit() override;
@@ -111,59 +88,43 @@ namespace demold
     /// Sums of the trial increment over the points of this rank.
     struct Increment
     {
-      double stored = 0., adhesion = 0., friction = 0., impact = 0.,
-             external = 0.;
       double front = 0.; ///< [mm^2] decohering now
       double lost  = 0.; ///< [mJ] by decohesion in this increment
     };
 
-    void close_initially();
-    void bond_initially();
+    void start_point(const unsigned int point);
     void bond_again();
     void assemble_bond(const Configuration &,
                        Assembler &,
                        const unsigned int point);
-    void assemble_contact(const Configuration &,
+    /// Returns the state, theory C.5: contact, slip or free.
+    int  assemble_contact(const Configuration &,
                           Assembler &,
                           const unsigned int point);
-    void assemble_friction(const Configuration &,
+    void assemble_pressure(Assembler &,
+                           const unsigned int       point,
+                           const ContactKinematics &kinematics);
+    bool assemble_friction(const Configuration &,
                            Assembler &,
                            const unsigned int       point,
-                           const ContactKinematics &kinematics,
-                           dealii::Tensor<1, 3> &   force);
-    std::optional<ContactPoint> pair(const Configuration &,
-                                     const unsigned int point);
-    bool                        may_close(const Configuration &,
-                                          const unsigned int  point,
-                                          const ContactPoint &found) const;
-    void                        count_change(const unsigned int point,
-                                             const int          state);
+                           const ContactKinematics &kinematics); ///< slips?
+    void let_go_of_friction(const unsigned int point);
+    void count_change(const unsigned int point, const int state);
 
-    BoundarySurface             slave;
-    ContactSurface              slave_surface;
-    Master                      master;
-    const InterfaceDescription  description;
-    std::vector<SlavePoint>     points;     ///< of this rank
-    dealii::IndexSet            all_unknowns; ///< both surfaces
-    MPI_Comm                    communicator;
-    CandidateSearch             search;
-    bool                        search_was_rebuilt = false;
-    bool                        first_search       = true;
-    std::vector<dealii::Point<3>> x_points; ///< current, of this rank
+    const InterfaceDescription description;
+    MPI_Comm                   communicator;
+    SurfacePair                surfaces;
 
-    std::vector<ContactHistory>  contact, contact_trial;
-    std::vector<FrictionHistory> friction, friction_trial;
-    std::vector<BondHistory>     bond, bond_trial;
-    Increment                    now;
-    double                       committed_friction = 0.,
-           committed_external = 0., committed_impact = 0.,
-           committed_stored = 0.;
+    PointHistories committed, trial;
+    Energies       committed_work; ///< what has been done, and stored, so far
+    Energies       now;            ///< in the trial increment; stored: in all
+    Increment      increment;
 
     std::vector<bool> just_closed; ///< in the last accepted increment
-    std::vector<int> last_state; ///< of the last assembly, theory C.5
-    std::vector<std::optional<ContactPoint>> last_pairing;
-    unsigned int                             state_changes = 0;
-    double                                   last_dt       = 0.;
+    std::vector<int>  last_state;  ///< of the last assembly, theory C.5
+    std::vector<AdhesionStatus> last_bond_status;
+    unsigned int                state_changes = 0;
+    double                      last_dt       = 0.;
   };
 } // namespace demold
 

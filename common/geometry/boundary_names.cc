@@ -15,7 +15,7 @@ namespace demold
   {
     using Entry = std::pair<Boundary::Id, const char *>;
 
-    constexpr std::array<Entry, 19> names = {
+    constexpr std::array<Entry, 21> names = {
       {{Boundary::left, "left"},
        {Boundary::right, "right"},
        {Boundary::bottom, "bottom"},
@@ -29,6 +29,8 @@ namespace demold
        {Boundary::free_side, "free side"},
        {Boundary::symmetry_x, "symmetry x"},
        {Boundary::symmetry_y, "symmetry y"},
+       {Boundary::layer_x, "layer x"},
+       {Boundary::layer_y, "layer y"},
        {Boundary::base_left, "base left"},
        {Boundary::base_right, "base right"},
        {Boundary::base_bottom, "base bottom"},

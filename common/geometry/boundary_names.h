@@ -36,6 +36,8 @@ namespace demold
     static constexpr Id free_side  = 11; // sides of the base rubber
     static constexpr Id symmetry_x = 12; // plane x = 0
     static constexpr Id symmetry_y = 13; // plane y = 0
+    static constexpr Id layer_x    = 14; // sides, normal to x, of layers
+    static constexpr Id layer_y    = 15; // the same, normal to y
 
     // The lower body of two bodies: box id + base_offset.
     static constexpr Id base_offset = 20;

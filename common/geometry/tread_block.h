@@ -4,6 +4,7 @@
 #define demold_geometry_tread_block_h
 
 #include <string>
+#include <vector>
 
 #include "geometry/rigid_surface.h"
 
@@ -60,6 +61,10 @@ namespace demold
     std::string symmetry   = "whole";
     double      facet_size = 0.8;
 
+    /// Thicknesses of layers between base and backing, from the block outwards;
+    /// no entries of their own: what holds the block makes them.
+    std::vector<double> layers;
+
     void add_parameters(dealii::ParameterHandler &prm);
 
     /// Throw ExcParameter for dimensions that make no block or no mesh.
@@ -76,7 +81,9 @@ namespace demold
 
   /// Mesh of the rubber; @p triangulation is empty before, serial or
   /// parallel::shared. Boundary ids: backing, bottom, wall, sipe, groove,
-  /// free_side, symmetry_x, symmetry_y (boundary_names.h). Calls check().
+  /// free_side, symmetry_x, symmetry_y, layer_x, layer_y (boundary_names.h).
+  /// The material id is 0 for block and base, 1 and up for the layers. Calls
+  /// check().
   template <int dim>
   void make_tread_block(const TreadBlock                &block,
                         dealii::Triangulation<dim, dim> &triangulation);

@@ -36,7 +36,13 @@ namespace demold
       {
         const bool in_slot =
           x == BlockPart::slot && z == BlockPart::beside_blade;
-        return z == BlockPart::base || (!beside_block() && !in_slot);
+        return z >= BlockPart::base || (!beside_block() && !in_slot);
+      }
+
+      // 0: block or base, 1 and up: a layer behind them
+      unsigned int layer() const
+      {
+        return z < BlockPart::first_layer ? 0 : z - BlockPart::first_layer + 1;
       }
 
       unsigned int x, y, z;
@@ -64,6 +70,8 @@ namespace demold
         return Boundary::symmetry_x;
       if (first && d == 1 && block.reduced_y(dim))
         return Boundary::symmetry_y;
+      if (own.z >= BlockPart::first_layer)
+        return d == 0 ? Boundary::layer_x : Boundary::layer_y;
       if (own.z == BlockPart::base)
         return Boundary::free_side;
 
@@ -231,8 +239,13 @@ namespace demold
                         Triangulation<dim, dim> &triangulation)
   {
     block.check(dim);
-    GridCells<dim> cells;
-    append_grid(cells, block_grid<dim>(block, rubber_axes<dim>(block)));
+    GridCells<dim>            cells;
+    const StructuredGrid<dim> grid =
+      block_grid<dim>(block, rubber_axes<dim>(block));
+    append_grid(cells, grid);
+    auto data = cells.cells.begin();
+    for (const CellIndex<dim> &cell : grid.cells())
+      (data++)->material_id = CellKind<dim>(grid.axes, cell).layer();
     create_triangulation(cells, triangulation);
     check_cells(triangulation, "Block/corner radius");
   }

@@ -146,6 +146,15 @@ namespace demold
         axis,
         {H, H + block.base_thickness, true, false, 1, BlockPart::base},
         sizes.cells);
+      double       z    = H + block.base_thickness;
+      unsigned int kind = BlockPart::first_layer;
+      for (const double thickness : block.layers)
+        {
+          append_interval(axis,
+                          {z, z + thickness, z == H, false, 1, kind++},
+                          sizes.cells);
+          z += thickness;
+        }
       return axis;
     }
 

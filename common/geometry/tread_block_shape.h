@@ -52,6 +52,7 @@ namespace demold
     static constexpr unsigned int beside_blade = 0;
     static constexpr unsigned int above_blade  = 1;
     static constexpr unsigned int base         = 2;
+    static constexpr unsigned int first_layer  = 3; // and on, one number each
   };
 
   /// Lines of the upright block for the rubber mesh, symmetric parts only.

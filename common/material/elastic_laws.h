@@ -25,6 +25,12 @@ namespace demold
       return mu1 + mu2;
     }
 
+    /// mu2/(mu1 + mu2), of a law without moduli 0 [-].
+    double share_of_I2() const
+    {
+      return mu2 > 0. ? mu2 / (mu1 + mu2) : 0.;
+    }
+
     /// At small strain [MPa].
     double bulk_modulus() const
     {
@@ -50,6 +56,12 @@ namespace demold
     double shear_modulus() const
     {
       return 2. * (C10 + C01);
+    }
+
+    /// C01/(C10 + C01), of a law without moduli 0 [-].
+    double share_of_I2() const
+    {
+      return C01 > 0. ? C01 / (C10 + C01) : 0.;
     }
 
     /// At small strain [MPa].

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Closed-form update, stress, tangent and dissipation of a Maxwell branch.
+// Closed-form update, stress, tangent and dissipation of an isochoric branch.
 #include "material/maxwell_branch.h"
+
+#include "material/fading_memory.h"
+#include "material/overstress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,87 +12,21 @@ namespace demold
 {
   namespace
   {
-    /// A = old Ci_n + start Cbar_n + end Cbar_n+1, all weights >= 0.
-    struct Weights
-    {
-      double old, start, end;
-    };
-
-    /// Weights of linear interpolation in time under exponential decay:
-    /// e = exp(-h), q = (1-e)/h; returns {e, q-e, 1-q}.
-    Weights exponential_weights(const double h)
-    {
-      const double e_less_one = std::expm1(-h);
-      const double e          = 1. + e_less_one;
-      if (h < 5e-3)
-        return {e,
-                h * (1. / 2. - h * (1. / 3. - h * (1. / 8. - h / 30.))),
-                h * (1. / 2. - h * (1. / 6. - h * (1. / 24. - h / 120.)))};
-      const double q = -e_less_one / h;
-      return {e, q - e, 1. - q};
-    }
-
-    /// (A9); @p phi = Cbar_n : C_i,n^-1 / 3 >= 1 is used by EXP2 only.
-    Weights weights(const ViscousUpdate update, const double h, double phi)
+    /// Of C_i,n, Cbar_n and Cbar_n+1 (A9); @p phi = Cbar_n : C_i,n^-1 / 3 >= 1
+    /// is used by EXP2 only.
+    MemoryWeights weights(const ViscousUpdate update,
+                          const double        h,
+                          double              phi)
     {
       // Only the ratio of the weights matters.
       if (update == ViscousUpdate::be)
         return {1. / (1. + h), 0., h / (1. + h)};
       if (update == ViscousUpdate::lin)
-        return exponential_weights(h);
-      const Weights w = exponential_weights(phi * h);
+        return memory_weights(h);
+      const MemoryWeights w = memory_weights(phi * h);
       return {w.old, w.start / phi, w.end / phi};
     }
   } // namespace
-
-  Overstress::Overstress(const Nine &product)
-    : M(product)
-  {
-    const double trace = product[0] + product[4] + product[8];
-    for (const unsigned int i : {0, 4, 8})
-      M[i] -= trace / 3.;
-    square = trace_of_product(M, M);
-    energy = trace - 3.;
-    // Near equilibrium the difference above loses its digits. From
-    // det(M + trace/3 1) = 1 follows an expansion that does not.
-    if (square < 1e-6)
-      energy = .5 * square - determinant(M);
-    square = std::max(square, 0.);
-    energy = std::max(energy, 0.);
-  }
-
-  double dissipation_over_step(const Overstress &start,
-                               const Overstress &end,
-                               const double      h)
-  {
-    const auto rate_factor = [](const Overstress &x) {
-      return x.energy > 0. ? .5 * x.square / x.energy : 1.;
-    };
-    const double H = .5 * h * (rate_factor(start) + rate_factor(end));
-
-    const double x0x0 = start.energy, x1x1 = end.energy;
-    double       x0x1 = 0.;
-    if (start.square > 0. && end.square > 0.)
-      {
-        const double cosine = trace_of_product(start.M, end.M) /
-                              std::sqrt(start.square * end.square);
-        x0x1 = std::max(-1., std::min(1., cosine)) * std::sqrt(x0x0 * x1x1);
-      }
-
-    if (H < 2e-2)
-      {
-        const double even = H / 3. + H * H * H / 180.;
-        const double odd  = H * H / 12. - H * H * H * H / 720.;
-        return (even - odd) * x0x0 + (H / 3. - H * H * H / 90.) * x0x1 +
-               (even + odd) * x1x1;
-      }
-    const double p     = -std::expm1(-H);
-    const double E     = 1. - p;
-    const double alpha = .5 * p * (1. + E) - 2. * E * p + E * E * H;
-    const double beta  = (1. + E) * p - 2. * E * H;
-    const double gamma = .5 * p * (1. + E) - 2. * p + H;
-    return std::max(0., (alpha * x0x0 + beta * x0x1 + gamma * x1x1) / (p * p));
-  }
 
   void MaxwellBranch::add(const ViscousStep &step,
                           const double      *Ci_old,
@@ -102,7 +39,7 @@ namespace demold
     const double h              = step.dt / relaxation_time;
 
     // The sum is unimodular again once divided by a = det(A)^(1/3).
-    const Weights w =
+    const MemoryWeights w =
       weights(step.update, h, contract(step.Cbar_old, Ci_old_inverse) / 3.);
     A = scaled(A, w.old);
     add_scaled(A, w.start, step.Cbar_old);

@@ -2,6 +2,10 @@
 // The sum over the elastic law and the Maxwell branches.
 #include "material/rubber_law.h"
 
+#include "material/convolution_branches.h"
+#include "material/linear_branch.h"
+#include "material/lubliner_branch.h"
+
 #include <algorithm>
 
 namespace demold
@@ -19,11 +23,34 @@ namespace demold
     {
       return (3. * K - 2. * G) / (2. * (3. * K + G));
     }
+
+    /// Adds the branches one by one; the histories begin at the first of them.
+    template <typename Branch, typename Step>
+    void add_each(const std::vector<MaxwellBranch> &branches,
+                  const Step                       &step,
+                  const double                     *old_history,
+                  double                           *new_history,
+                  ResponseSums                     &sums)
+    {
+      for (const MaxwellBranch &branch : branches)
+        {
+          Branch{branch.modulus, branch.relaxation_time}.add(step,
+                                                             old_history,
+                                                             new_history,
+                                                             sums);
+          old_history += 6;
+          new_history += 6;
+        }
+    }
   } // namespace
 
   void RubberLaw::initialize(double *history) const
   {
-    for (unsigned int i = 0; i < n_history(); i += 6)
+    std::fill_n(history, n_history(), 0.);
+    const unsigned int n_metrics = branch_law == BranchLaw::convolution ?
+                                     std::min(n_history(), 6u) :
+                                     n_history();
+    for (unsigned int i = 0; i < n_metrics; i += 6)
       std::copy(six_identity.begin(), six_identity.end(), history + i);
   }
 
@@ -43,7 +70,7 @@ namespace demold
     std::visit([&](const auto &law) { law.add(x, with_tangent, sums); },
                elastic);
 
-    if (!branches.empty())
+    if (!branches.empty() && branch_law == BranchLaw::isochoric)
       {
         ViscousStep step{x,
                          scaled(x.C, x.p),
@@ -54,12 +81,37 @@ namespace demold
                          with_energies};
         std::copy(old_history, old_history + 6, step.Cbar_old.begin());
         std::copy(step.Cbar.begin(), step.Cbar.end(), new_history);
-        for (const MaxwellBranch &branch : branches)
-          {
-            old_history += 6;
-            new_history += 6;
-            branch.add(step, old_history, new_history, sums);
-          }
+        add_each<MaxwellBranch>(branches,
+                                step,
+                                old_history + 6,
+                                new_history + 6,
+                                sums);
+      }
+    else if (!branches.empty())
+      {
+        BranchStep step{x, {{}}, {{}}, dt, with_tangent, with_energies};
+        std::copy(old_history, old_history + 6, step.C_old.begin());
+        step.K_old = inverse(step.C_old);
+        std::copy(x.C.begin(), x.C.end(), new_history);
+        old_history += 6;
+        new_history += 6;
+        if (branch_law == BranchLaw::linear)
+          add_each<LinearBranch>(branches,
+                                 step,
+                                 old_history,
+                                 new_history,
+                                 sums);
+        else if (branch_law == BranchLaw::lubliner)
+          add_each<LublinerBranch>(branches,
+                                   step,
+                                   old_history,
+                                   new_history,
+                                   sums);
+        else
+          ConvolutionBranches{
+            std::visit([](const auto &law) { return law.share_of_I2(); },
+                       elastic)}
+            .add(step, branches, old_history, new_history, sums);
       }
 
     std::copy(sums.S.begin(), sums.S.end(), out.S.begin_raw());
@@ -92,6 +144,15 @@ namespace demold
                       elastic);
   }
 
+  double RubberLaw::bulk_modulus_instantaneous() const
+  {
+    double K = bulk_modulus();
+    if (branch_law == BranchLaw::linear || branch_law == BranchLaw::lubliner)
+      for (const MaxwellBranch &branch : branches)
+        K += 2. / 3. * branch.modulus;
+    return K;
+  }
+
   double RubberLaw::young_relaxed() const
   {
     return young(bulk_modulus(), shear_modulus_relaxed());
@@ -99,7 +160,7 @@ namespace demold
 
   double RubberLaw::young_instantaneous() const
   {
-    return young(bulk_modulus(), shear_modulus_instantaneous());
+    return young(bulk_modulus_instantaneous(), shear_modulus_instantaneous());
   }
 
   double RubberLaw::poisson_relaxed() const
@@ -109,6 +170,6 @@ namespace demold
 
   double RubberLaw::poisson_instantaneous() const
   {
-    return poisson(bulk_modulus(), shear_modulus_instantaneous());
+    return poisson(bulk_modulus_instantaneous(), shear_modulus_instantaneous());
   }
 } // namespace demold

@@ -3,6 +3,8 @@
 #ifndef demold_material_rubber_law_h
 #define demold_material_rubber_law_h
 
+#include "material/belt_ply.h"
+#include "material/branch_law.h"
 #include "material/elastic_laws.h"
 #include "material/maxwell_branch.h"
 
@@ -19,19 +21,24 @@ namespace demold
     dealii::SymmetricTensor<2, 3> S;     ///< 2nd Piola-Kirchhoff stress [MPa]
     dealii::SymmetricTensor<4, 3> dS_dE; ///< algorithmic tangent 2 dS/dC [MPa]
     double stored     = 0.; ///< elastic law and branches, at t_n+1 [mJ/mm^3]
-    double dissipated = 0.; ///< viscous, over the step, >= 0 [mJ/mm^3]
+    double dissipated = 0.; ///< viscous, over the step [mJ/mm^3]; >= 0 but for
+                            ///< BranchLaw::convolution
   };
 
   /// Rubber of one degree of cure (theory A6): a value. The history of a point
-  /// is Cbar_n and one C_i,n for each branch, six doubles each in the order 00,
-  /// 11, 22, 01, 02, 12; an elastic law has none. The branches are isochoric:
-  /// the response to a change of volume is elastic.
+  /// is six doubles of where it was and six of each branch, in the order 00,
+  /// 11, 22, 01, 02, 12; an elastic law has none:
+  ///   isochoric    Cbar_n and C_i      linear       C_n and C_i
+  ///   lubliner     C_n and C_i^-1      convolution  C_n and H [MPa]
+  /// The branches of `isochoric` and `convolution` answer no change of volume,
+  /// those of the other two do (see LinearBranch).
   struct RubberLaw
   {
-    std::variant<MooneyRivlin, IsochoricMooneyRivlin> elastic;
-    std::vector<MaxwellBranch>                        branches;
-    ViscousUpdate update  = ViscousUpdate::exp2;
-    double        density = 1.12e-9; ///< in the reference state [t/mm^3]
+    std::variant<MooneyRivlin, IsochoricMooneyRivlin, BeltPly> elastic;
+    std::vector<MaxwellBranch>                                 branches;
+    BranchLaw     branch_law = BranchLaw::isochoric;
+    ViscousUpdate update     = ViscousUpdate::exp2; ///< of `isochoric` alone
+    double        density    = 1.12e-9; ///< in the reference state [t/mm^3]
 
     /// Doubles per point.
     unsigned int n_history() const
@@ -58,10 +65,12 @@ namespace demold
                   bool with_energies = true) const;
 
     /// Small-strain constants; `relaxed`: slow, the dashpots free;
-    /// `instantaneous`: fast, the dashpots rigid [MPa].
+    /// `instantaneous`: fast, the dashpots rigid; bulk_modulus() is relaxed
+    /// [MPa].
     double shear_modulus_relaxed() const;
     double shear_modulus_instantaneous() const;
     double bulk_modulus() const;
+    double bulk_modulus_instantaneous() const;
     double young_relaxed() const;
     double young_instantaneous() const;
 

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
@@ -37,13 +38,44 @@ namespace demold
         values.push_back(row[j]);
       return values;
     }
+
+    /// Admissible levels alone do not tell: what is simulated is the curve.
+    void require_between_levels(const MonotoneTable       &table,
+                                const std::vector<double> &levels,
+                                const double               lower_bound,
+                                const std::string         &entry)
+    {
+      const unsigned int n_samples = 20;
+      for (unsigned int i = 1; i < levels.size(); ++i)
+        for (unsigned int k = 1; k < n_samples; ++k)
+          {
+            const double x =
+              levels[i - 1] + k * (levels[i] - levels[i - 1]) / n_samples;
+            if (!(table(x) >= lower_bound))
+              {
+                std::ostringstream text;
+                text << "must not fall below 0 MPa between its levels; got "
+                     << table(x) << " MPa at f90 = " << x
+                     << ". Add a level there.";
+                throw ExcParameter("Material/" + entry, text.str());
+              }
+          }
+    }
   } // namespace
 
   void RubberModel::add_parameters(ParameterHandler &prm)
   {
+    prm.enter_subsection("Material");
+    add_elastic_parameters(prm);
+    add_viscous_parameters(prm);
+    add_cure_parameters(prm);
+    prm.leave_subsection();
+  }
+
+  void RubberModel::add_elastic_parameters(ParameterHandler &prm)
+  {
     const Patterns::Double positive(0.);
 
-    prm.enter_subsection("Material");
     prm.add_parameter("model",
                       model,
                       "elastic law of the rubber [-]",
@@ -78,20 +110,36 @@ namespace demold
                       isochoric.bulk,
                       "K bulk modulus; mooney-rivlin isochoric [MPa]",
                       positive);
+  }
 
+  void RubberModel::add_viscous_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("viscosity",
+                      viscosity,
+                      "true: with the Maxwell branches below; false: without, "
+                      "elastic; their entries are checked all the same [-]");
     prm.add_parameter("relaxation times",
                       relaxation_times,
                       "tau_j of the Maxwell branches; none: elastic [s]");
     prm.add_parameter("branch moduli",
                       branch_moduli,
                       "E_j = 3 mu_j, one for each relaxation time [MPa]");
+    prm.add_parameter("branch law",
+                      branch_law,
+                      "what the branches are at finite strain [-]",
+                      Patterns::Selection(branch_law_names));
     prm.add_parameter("update",
                       update,
-                      "time integration of the branches [-]: EXP2 second "
-                      "order, BE backward Euler, LIN second order at small "
-                      "strain only",
+                      "time integration of isochoric neo-hooke branches [-]: "
+                      "EXP2 second order, BE backward Euler, LIN second order "
+                      "at small strain only; the other branch laws have one of "
+                      "their own, of second order",
                       Patterns::Selection("EXP2|BE|LIN"));
+    shift.add_parameters(prm);
+  }
 
+  void RubberModel::add_cure_parameters(ParameterHandler &prm)
+  {
     prm.add_parameter("f90",
                       f90,
                       "f90 t90-factor, the degree of cure [-]: a number, or "
@@ -108,12 +156,11 @@ namespace demold
     prm.add_parameter("table mu2 over mu1",
                       table_mu2_over_mu1,
                       "mu2/mu1, or C01/C10, at every level [-]",
-                      positive);
+                      Patterns::Double(0.));
     prm.add_parameter("table branch moduli",
                       table_branch_moduli,
                       "E_j of all branches at each level [MPa]: one row for "
                       "each f90, rows separated by ';', numbers by ','");
-    prm.leave_subsection();
   }
 
   RubberLaw RubberModel::law_of_constants() const
@@ -162,10 +209,24 @@ namespace demold
         law = law_of_moduli(tables->equilibrium(f90));
         for (unsigned int j = 0; j < n_branches(); ++j)
           law.branches.push_back(
-            {tables->branches[j](f90) / 3., relaxation_times[j]});
+            {std::max(0., tables->branches[j](f90)) / 3., relaxation_times[j]});
       }
-    law.update  = update_by_name(update);
-    law.density = density;
+    for (MaxwellBranch &branch : law.branches)
+      branch.relaxation_time *= shift.factor();
+    law.branch_law = branch_law_by_name(branch_law);
+    law.update     = update_by_name(update);
+    law.density    = density;
+    return law;
+  }
+
+  RubberLaw RubberModel::at(const double f90, const double temperature) const
+  {
+    TimeTemperatureShift shifted = shift;
+    shifted.temperature          = temperature;
+    shifted.check();
+    RubberLaw law = at(f90);
+    for (MaxwellBranch &branch : law.branches)
+      branch.relaxation_time *= shifted.factor() / shift.factor();
     return law;
   }
 
@@ -181,6 +242,7 @@ namespace demold
   {
     check_constants();
     check_viscosity();
+    shift.check();
     check_tables();
 
     tables.reset();
@@ -192,6 +254,16 @@ namespace demold
           prepared->branches.emplace_back(table_f90,
                                           column(table_branch_moduli, j));
         tables = prepared;
+        require_between_levels(tables->equilibrium,
+                               table_f90,
+                               1e-12 * table_equilibrium.front(),
+                               "table equilibrium modulus");
+        // A branch may fade out at a level; there round-off has either sign.
+        for (const MonotoneTable &branch : tables->branches)
+          require_between_levels(branch,
+                                 table_f90,
+                                 -1e-12 * table_equilibrium.front(),
+                                 "table branch moduli");
       }
     check_f90();
   }

@@ -4,6 +4,7 @@
 #define demold_material_rubber_model_h
 
 #include "material/rubber_law.h"
+#include "material/time_temperature_shift.h"
 
 #include <memory>
 #include <string>
@@ -30,9 +31,25 @@ namespace demold
     /// entries are parsed; prepares the tables that at() reads.
     void check() const;
 
-    /// The law at the t90-factor @p f90 [-]. Throws ExcParameter outside the
+    /// The law at the t90-factor @p f90 [-] and the temperature of the entry.
+    /// Throws ExcParameter outside the
     /// table; a computed f90 is to be clamped to f90_range() by the caller.
     RubberLaw at(double f90) const;
+
+    /// The same at @p temperature [degC] instead.
+    RubberLaw at(double f90, double temperature) const;
+
+    /// The entry `temperature` [degC].
+    double temperature() const
+    {
+      return shift.temperature;
+    }
+
+    /// Do the relaxation times depend on temperature?
+    bool shifts_with_temperature() const
+    {
+      return shift.kind != "none";
+    }
 
     /// The f90 between which at() answers [-]; without tables any.
     std::pair<double, double> f90_range() const;
@@ -55,15 +72,20 @@ namespace demold
       return !table_f90.empty();
     }
 
+    /// Maxwell branches of the law; none without viscosity.
     unsigned int n_branches() const
     {
-      return relaxation_times.size();
+      return viscosity ? relaxation_times.size() : 0;
     }
 
     double density = 1.12e-9; ///< rho [t/mm^3]
 
   private:
     struct Tables;
+
+    void add_elastic_parameters(dealii::ParameterHandler &prm);
+    void add_viscous_parameters(dealii::ParameterHandler &prm);
+    void add_cure_parameters(dealii::ParameterHandler &prm);
 
     void check_constants() const;
     void check_viscosity() const;
@@ -77,9 +99,13 @@ namespace demold
     MooneyRivlin          mooney_rivlin;
     IsochoricMooneyRivlin isochoric;
 
+    bool                viscosity = true;
     std::vector<double> relaxation_times; // [s]
     std::vector<double> branch_moduli;    // E_j [MPa]
-    std::string         update = "EXP2";
+    std::string         branch_law = "isochoric neo-hooke";
+    std::string         update     = "EXP2";
+
+    TimeTemperatureShift shift;
 
     std::string                      f90 = "1.0";
     std::vector<double>              table_f90;

@@ -82,7 +82,14 @@ namespace demold
 
   void RubberModel::check_viscosity() const
   {
-    for (unsigned int i = 0; i < n_branches(); ++i)
+    if (branch_law != "isochoric neo-hooke" && update != "EXP2")
+      reject("update",
+             "must be left at EXP2 with Material/branch law = ",
+             branch_law,
+             ", whose update is exact for a linear path; got ",
+             update,
+             ". It chooses the update of isochoric neo-hooke branches.");
+    for (unsigned int i = 0; i < relaxation_times.size(); ++i)
       {
         require_positive("relaxation times", relaxation_times[i], "s");
         for (unsigned int j = 0; j < i; ++j)
@@ -104,10 +111,10 @@ namespace demold
              " moduli and ",
              table_f90.size(),
              " levels. Put them into Material/table branch moduli.");
-    if (!has_tables() && branch_moduli.size() != n_branches())
+    if (!has_tables() && branch_moduli.size() != relaxation_times.size())
       reject("branch moduli",
              "must have one entry for each of the ",
-             n_branches(),
+             relaxation_times.size(),
              " entries of Material/relaxation times; got ",
              branch_moduli.size(),
              '.');
@@ -139,7 +146,7 @@ namespace demold
              '.');
     require_moduli("table equilibrium modulus", table_equilibrium);
 
-    const unsigned int n_rows = n_branches() > 0 ? table_f90.size() : 0;
+    const unsigned int n_rows = relaxation_times.empty() ? 0 : table_f90.size();
     if (table_branch_moduli.size() != n_rows)
       reject("table branch moduli",
              "must have ",
@@ -150,16 +157,25 @@ namespace demold
              '.');
     for (unsigned int i = 0; i < n_rows; ++i)
       {
-        if (table_branch_moduli[i].size() != n_branches())
+        if (table_branch_moduli[i].size() != relaxation_times.size())
           reject("table branch moduli",
                  "must have one number for each of the ",
-                 n_branches(),
+                 relaxation_times.size(),
                  " entries of Material/relaxation times; got ",
                  table_branch_moduli[i].size(),
                  " in row ",
                  i + 1,
                  '.');
-        require_moduli("table branch moduli", table_branch_moduli[i]);
+        for (const double E : table_branch_moduli[i])
+          if (!(E >= 0.) || !std::isfinite(E))
+            reject("table branch moduli",
+                   "must be at least 0 MPa; got ",
+                   E,
+                   " in row ",
+                   i + 1,
+                   ", f90 = ",
+                   table_f90[i],
+                   ". A branch that gives energy back has no meaning.");
       }
   }
 

@@ -41,6 +41,26 @@ namespace demold
            a[4] * adjugate_of_a[4];
   }
 
+  /// a^-1
+  inline Six inverse(const Six &a)
+  {
+    const Six    adj = adjugate(a);
+    const double f   = 1. / determinant(a, adj);
+    return {
+      {f * adj[0], f * adj[1], f * adj[2], f * adj[3], f * adj[4], f * adj[5]}};
+  }
+
+  /// a - b
+  inline Six difference(const Six &a, const Six &b)
+  {
+    return {{a[0] - b[0],
+             a[1] - b[1],
+             a[2] - b[2],
+             a[3] - b[3],
+             a[4] - b[4],
+             a[5] - b[5]}};
+  }
+
   /// s a
   inline Six scaled(const Six &a, const double s)
   {

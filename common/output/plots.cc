@@ -31,36 +31,6 @@ namespace demold
 
 
 
-    /// Size, font and colours, the same in all pictures. The colours are those
-    /// of Okabe and Ito, which colour-blind readers can tell apart.
-    std::string head(const std::string &name, const std::string &title)
-    {
-      std::ostringstream script;
-      script << "# Draw again with: gnuplot " << name << ".gp\n"
-             << "set terminal svg size 800,500 noenhanced font 'sans,14' "
-                "background 'white'\n"
-             << "set output 'plots/" << name << ".svg'\n"
-             << "set title " << quoted(title) << "\n"
-             << "set grid linecolor rgb '#d0d0d0'\n"
-             << "set border linecolor rgb '#404040'\n";
-      const char *const colours[] = {"#0072b2",
-                                     "#d55e00",
-                                     "#009e73",
-                                     "#cc79a7",
-                                     "#e69f00",
-                                     "#56b4e9",
-                                     "#000000",
-                                     "#8c6d1f",
-                                     "#7f7f7f"};
-      unsigned int      n         = 0;
-      for (const char *const colour : colours)
-        script << "set linetype " << ++n << " linewidth 2 linecolor rgb '"
-               << colour << "'\n";
-      return script.str();
-    }
-
-
-
     enum class Outcome
     {
       drawn,
@@ -110,10 +80,40 @@ namespace demold
 
 
 
+  std::string plot_head(const std::string &name, const std::string &title)
+  {
+    std::ostringstream script;
+    script << "# Draw again with: gnuplot " << name << ".gp\n"
+           << "set terminal svg size 800,500 noenhanced font 'sans,14' "
+              "background 'white'\n"
+           << "set output 'plots/" << name << ".svg'\n"
+           << "set title " << quoted(title) << "\n"
+           << "set grid linecolor rgb '#d0d0d0'\n"
+           << "set border linecolor rgb '#404040'\n";
+    // Okabe and Ito's: colour-blind readers can tell them apart.
+    const char *const colours[] = {"#0072b2",
+                                   "#d55e00",
+                                   "#009e73",
+                                   "#cc79a7",
+                                   "#e69f00",
+                                   "#56b4e9",
+                                   "#000000",
+                                   "#8c6d1f",
+                                   "#7f7f7f"};
+    unsigned int      n         = 0;
+    for (const char *const colour : colours)
+      script << "set linetype " << ++n << " linewidth 2 linecolor rgb '"
+             << colour << "'\n";
+    return script.str();
+  }
+
+
+
   std::string plot_script(const LinePlot &plot)
   {
     std::ostringstream script;
-    script << head(plot.name, plot.title) << "set datafile separator comma\n"
+    script << plot_head(plot.name, plot.title)
+           << "set datafile separator comma\n"
            << "set xlabel " << quoted(plot.x) << "\n"
            << "set ylabel " << quoted(plot.y_label) << "\n"
            << (plot.y.size() > 1 ? "set key below\n" : "set key off\n")
@@ -138,7 +138,7 @@ namespace demold
                        return a.second > b.second;
                      });
     std::ostringstream script;
-    script << head("time-breakdown", "Where the time goes")
+    script << plot_head("time-breakdown", "Where the time goes")
            << "$times << END\n";
     for (const auto &[what, seconds] : sorted)
       script << quoted(what) << ' ' << seconds << '\n';
@@ -165,7 +165,15 @@ namespace demold
       scripts.emplace_back(plot.name + ".gp", plot_script(plot));
     if (!times.empty())
       scripts.emplace_back("time-breakdown.gp", plot_script(times));
+    return draw_scripts(output_folder, scripts);
+  }
 
+
+
+  std::string
+  draw_scripts(const std::string &output_folder,
+               const std::vector<std::pair<std::string, std::string>> &scripts)
+  {
     std::error_code error;
     fs::create_directories(fs::path(output_folder) / "plots", error);
     std::string failed;

@@ -35,6 +35,16 @@ namespace demold
   std::string draw_plots(const std::string           &output_folder,
                          const std::vector<LinePlot> &plots,
                          const TimeBreakdown         &times);
+
+  /// The first lines of every script: size, font and colours, the output file
+  /// plots/NAME.svg and the title. For pictures of tables other than
+  /// history.csv, whose commands follow.
+  std::string plot_head(const std::string &name, const std::string &title);
+
+  /// As draw_plots(), of scripts given as ("NAME.gp", text).
+  std::string
+  draw_scripts(const std::string &output_folder,
+               const std::vector<std::pair<std::string, std::string>> &scripts);
 } // namespace demold
 
 #endif

@@ -5,11 +5,13 @@
 
 #include "base/rigid_motion.h"
 #include "geometry/rigid_surface.h"
+#include "material/rubber_law.h"
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/types.h>
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -42,13 +44,16 @@ namespace demold
     std::function<dealii::Tensor<1, 3>(double)> traction; ///< [MPa] of t [s]
   };
 
-  /// A scene without its material and its interface.
+  /// A scene without its rubber and its interface.
   template <int dim>
   struct Scene
   {
     std::function<void(dealii::Triangulation<dim, dim> &)> make_mesh;
     std::vector<SupportRule>                               supports;
     std::vector<TractionRule>                              tractions;
+
+    /// Laws by material id of what is not of the rubber of section Material.
+    std::map<dealii::types::material_id, RubberLaw> laws;
 
     /// Boundaries that may touch, and what they touch: a rigid mould or the
     /// boundaries of another body.

@@ -15,14 +15,14 @@ namespace demold
   /// calls for and nothing else, lets the strategy solve it, writes what the
   /// contract promises (README, what comes out).
   template <int dim>
-  RunStatus run_simulation(const Scene<dim> &     scene,
+  RunStatus run_simulation(const Scene<dim>      &scene,
                            const SceneParameters &parameters,
-                           const RunContext &     context);
+                           const RunContext      &context);
 
   /// What the scene will simulate, in words: terms, unknowns, memory, Omega
   /// and l_cz.
   template <int dim>
-  std::string preview_simulation(const Scene<dim> &     scene,
+  std::string preview_simulation(const Scene<dim>      &scene,
                                  const SceneParameters &parameters);
 } // namespace demold
 

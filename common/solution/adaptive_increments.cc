@@ -106,6 +106,8 @@ namespace demold
     IncrementState local;
     IncrementState &state = parameters.state != nullptr ? *parameters.state : local;
     double &dt = state.dt, &last_dt = state.last_dt;
+    result.rejected          = state.rejected;
+    result.newton_iterations = state.newton_iterations;
     if (dt <= 0.)
       dt = parameters.first;
     const double   tiny = 1e-12 * end_time;
@@ -126,13 +128,14 @@ namespace demold
                                     0.);
         const NewtonReport report = newton.solve(weak_form);
         result.newton_iterations += report.iterations;
+        state.newton_iterations = result.newton_iterations;
         const IncrementVerdict verdict =
           report.converged ? hooks.judge(step) : IncrementVerdict();
 
         if (!report.converged || !verdict.accept)
           {
             weak_form.reject();
-            ++result.rejected;
+            state.rejected = ++result.rejected;
             dt = step * (report.converged ?
                            std::max(.1, std::min(.5, verdict.factor)) :
                            .5);

@@ -23,18 +23,29 @@ namespace demold
   } // namespace
 
   Kinsol::Kinsol(const NewtonParameters &parameters,
-                 LinearSolver &          linear_solver)
+                 LinearSolver           &linear_solver)
     : parameters(parameters)
     , linear_solver(linear_solver)
   {}
 
-  bool Kinsol::assemble(WeakForm &    weak_form,
-                        const bool    tangent,
+  bool Kinsol::assemble(WeakForm     &weak_form,
+                        const bool    with_tangent,
                         NewtonReport &report)
   {
     const Timer timer;
-    const bool  admissible = weak_form.assemble(tangent, report.iterations);
+    const bool admissible = weak_form.assemble(with_tangent, report.iterations);
     seconds_assembly += timer.wall_time();
+    if (pattern_number != weak_form.pattern_number())
+      {
+        linear_solver.forget();
+        tangent = Tangent::lost;
+      }
+    pattern_number = weak_form.pattern_number();
+    if (with_tangent)
+      {
+        tangent = Tangent::fresh;
+        ++n_tangents;
+      }
     const ResidualNorms norms = weak_form.residual_norms();
     scale = std::max({norms.scale, 1e-4 * largest_force, 1e-300});
     report.residuals.push_back(norms.free / scale);
@@ -42,22 +53,40 @@ namespace demold
     return admissible && std::isfinite(norms.free);
   }
 
+  bool Kinsol::correct(WeakForm     &weak_form,
+                       Vector       &correction,
+                       const Vector &right_hand_side,
+                       NewtonReport &report)
+  {
+    // KINSOL cannot know that the tangent it counts on is gone.
+    if (tangent == Tangent::lost && !assemble(weak_form, true, report))
+      return false;
+    ++report.iterations;
+    correction         = 0.;
+    const auto outcome = tangent == Tangent::used ?
+                           linear_solver.solve_again(weak_form.matrix,
+                                                     correction,
+                                                     right_hand_side,
+                                                     linear_tolerance) :
+                           linear_solver.solve(weak_form.matrix,
+                                               correction,
+                                               right_hand_side,
+                                               linear_tolerance,
+                                               weak_form.symmetric(),
+                                               weak_form.has_extra_unknowns());
+    tangent            = Tangent::used;
+    return outcome != LinearSolver::Outcome::singular;
+  }
+
   bool Kinsol::first_step(WeakForm &weak_form, NewtonReport &report)
   {
     if (!assemble(weak_form, true, report))
       return false;
-    linear_solver.forget();
-    Vector     correction = weak_form.new_vector();
-    const auto outcome    = linear_solver.solve(weak_form.matrix,
-                                             correction,
-                                             weak_form.right_hand_side,
-                                             linear_tolerance,
-                                             weak_form.symmetric(),
-                                             weak_form.has_extra_unknowns());
-    if (outcome == LinearSolver::Outcome::singular)
+    Vector       correction = weak_form.new_vector();
+    const Vector right_hand_side(weak_form.right_hand_side);
+    if (!correct(weak_form, correction, right_hand_side, report))
       return false;
     weak_form.update(correction, 1.);
-    ++report.iterations;
     return assemble(weak_form, false, report);
   }
 
@@ -94,17 +123,7 @@ namespace demold
     };
     kinsol.solve_with_jacobian =
       [&](const Vector &rhs, Vector &solution, const double) {
-        ++report.iterations;
-        solution = 0.;
-        return linear_solver.solve(weak_form.matrix,
-                                   solution,
-                                   rhs,
-                                   linear_tolerance,
-                                   weak_form.symmetric(),
-                                   weak_form.has_extra_unknowns()) ==
-                   LinearSolver::Outcome::singular ?
-                 1 :
-                 0;
+        return correct(weak_form, solution, rhs, report) ? 0 : 1;
       };
     Vector u(weak_form.trial);
     try
@@ -118,10 +137,10 @@ namespace demold
                         " iterations";
         return report;
       }
-    weak_form.trial  = u;
-    report.converged = assemble(weak_form, false, report) &&
-                       report.residuals.back() <=
-                         10. * parameters.residual_tolerance;
+    weak_form.trial = u;
+    report.converged =
+      assemble(weak_form, false, report) &&
+      report.residuals.back() <= 10. * parameters.residual_tolerance;
     if (report.converged)
       largest_force = std::max(largest_force, weak_form.residual_norms().scale);
     else

@@ -8,11 +8,10 @@
 
 namespace demold
 {
-  /// KINSOL with line search; an assembled tangent is kept for up to ten
-  /// iterations while it serves (modified Newton), though it is factorised
-  /// again in each. The first correction, which brings the
-  /// supports to their places, is a full Newton step. Converged when the
-  /// largest unbalanced force is below `residual tolerance` times the same
+  /// KINSOL with line search; a tangent and its factor are kept for up to ten
+  /// iterations while they serve (modified Newton). The first correction, which
+  /// brings the supports to their places, is a full Newton step. Converged when
+  /// the largest unbalanced force is below `residual tolerance` times the same
   /// scale as in Newton.
   class Kinsol : public NonlinearSolver
   {
@@ -21,13 +20,31 @@ namespace demold
 
     NewtonReport solve(WeakForm &weak_form) override;
 
+    /// Tangents assembled since construction: those of the first corrections
+    /// and those that KINSOL asked for.
+    unsigned int n_tangents = 0;
+
   private:
-    bool assemble(WeakForm &weak_form, bool tangent, NewtonReport &report);
+    /// What there is in the matrix of the weak form.
+    enum class Tangent
+    {
+      lost, ///< nothing: a change of its pattern has emptied it
+      fresh,
+      used ///< solved with before, unchanged since
+    };
+
+    bool assemble(WeakForm &weak_form, bool with_tangent, NewtonReport &report);
+    bool correct(WeakForm     &weak_form,
+                 Vector       &correction,
+                 const Vector &right_hand_side,
+                 NewtonReport &report);
     bool first_step(WeakForm &weak_form, NewtonReport &report);
 
     const NewtonParameters parameters;
-    LinearSolver &         linear_solver;
-    double                 scale = 0.; ///< [N] of the last assembly
+    LinearSolver          &linear_solver;
+    double                 scale          = 0.; ///< [N] of the last assembly
+    unsigned int           pattern_number = 0;
+    Tangent                tangent        = Tangent::lost;
   };
 } // namespace demold
 

@@ -31,6 +31,7 @@ namespace demold
       , multigrid_solver(parameters, statistics)
     {}
 
+    Outcome solve(const SparseMatrix &, Vector &, const Vector &, double);
     bool
     try_kept_factor(const SparseMatrix &, Vector &, const Vector &, double);
     Outcome
@@ -46,12 +47,45 @@ namespace demold
 
     unsigned int iterative_above = parameters.iterative_above;
     bool         symmetric       = false;
+    bool         has_extra_rows  = false;
     unsigned int n_rows          = 0; // of the kept factor and hierarchy
 
     std::unique_ptr<Mumps> mumps;
     bool                   has_factor     = false;
     bool                   factor_is_of_A = false;
   };
+
+
+  LinearSolver::Outcome
+  LinearSolver::Implementation::solve(const SparseMatrix &A,
+                                      Vector             &x,
+                                      const Vector       &b,
+                                      const double        tolerance)
+  {
+    const double setup = statistics.seconds_setup;
+    const Timer  timer;
+    ++statistics.solves;
+
+    const double goal = std::min(tolerance, parameters.relative_tolerance);
+    const bool   iterative =
+      !has_extra_rows && parameters.linear != "direct" &&
+      (parameters.linear == "iterative" ||
+       (A.m() > iterative_above && multigrid_solver.multigrid.has_modes()));
+    Outcome      outcome = Outcome::solved;
+    const double load    = b.l2_norm();
+    if (load == 0. || !std::isfinite(load))
+      {
+        x       = 0.;
+        outcome = load == 0. ? Outcome::solved : Outcome::inaccurate;
+      }
+    else if (factor_is_of_A)
+      outcome = substitute(A, x, b, goal);
+    else if (!iterative || !multigrid_solver.solve(A, x, b, goal, symmetric))
+      outcome = solve_directly(A, x, b, goal);
+    statistics.seconds_solve +=
+      timer.wall_time() - (statistics.seconds_setup - setup);
+    return outcome;
+  }
 
 
   bool LinearSolver::Implementation::try_kept_factor(const SparseMatrix &A,
@@ -178,10 +212,7 @@ namespace demold
                                             const bool          symmetric,
                                             const bool          has_extra_rows)
   {
-    Implementation               &s     = *implementation;
-    const LinearSolverParameters &p     = s.parameters;
-    const double                  setup = s.statistics.seconds_setup;
-    const Timer                   timer;
+    Implementation &s = *implementation;
     if (s.n_rows != A.m())
       s.forget();
     s.n_rows = A.m();
@@ -191,26 +222,19 @@ namespace demold
         s.has_factor = false;
       }
     s.symmetric      = symmetric;
+    s.has_extra_rows = has_extra_rows;
     s.factor_is_of_A = false;
-    ++s.statistics.solves;
+    return s.solve(A, x, b, tolerance);
+  }
 
-    const double goal = std::min(tolerance, p.relative_tolerance);
-    const bool   iterative =
-      !has_extra_rows && p.linear != "direct" &&
-      (p.linear == "iterative" ||
-       (A.m() > s.iterative_above && s.multigrid_solver.multigrid.has_modes()));
-    Outcome      outcome = Outcome::solved;
-    const double load    = b.l2_norm();
-    if (load == 0. || !std::isfinite(load))
-      {
-        x       = 0.;
-        outcome = load == 0. ? Outcome::solved : Outcome::inaccurate;
-      }
-    else if (!iterative || !s.multigrid_solver.solve(A, x, b, goal, symmetric))
-      outcome = s.solve_directly(A, x, b, goal);
-    s.statistics.seconds_solve +=
-      timer.wall_time() - (s.statistics.seconds_setup - setup);
-    return outcome;
+
+  LinearSolver::Outcome LinearSolver::solve_again(const SparseMatrix &A,
+                                                  Vector             &x,
+                                                  const Vector       &b,
+                                                  const double        tolerance)
+  {
+    AssertDimension(A.m(), implementation->n_rows);
+    return implementation->solve(A, x, b, tolerance);
   }
 
 
@@ -223,6 +247,12 @@ namespace demold
   const LinearSolverStatistics &LinearSolver::statistics() const
   {
     return implementation->statistics;
+  }
+
+
+  void LinearSolver::continue_from(const LinearSolverStatistics &statistics)
+  {
+    implementation->statistics = statistics;
   }
 
 

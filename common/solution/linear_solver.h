@@ -51,11 +51,21 @@ namespace demold
                   bool                symmetric,
                   bool                has_extra_rows);
 
+    /// Solves A x = b with the A of the last solve(), whose values are the same
+    /// since then: its factor, or the hierarchy at hand, serves again.
+    Outcome solve_again(const SparseMatrix &A,
+                        Vector             &x,
+                        const Vector       &b,
+                        double              tolerance);
+
     /// Drops factor and hierarchy, so that what follows does not depend on
     /// what came before: at checkpoints, or when the pattern has changed.
     void forget();
 
     const LinearSolverStatistics &statistics() const;
+
+    /// Goes on counting from those of @p statistics: after a restart.
+    void continue_from(const LinearSolverStatistics &statistics);
 
     /// Number of negative eigenvalues of the A solved last; -1 if unknown:
     /// unsymmetric, solved iteratively or with an older factor.

@@ -51,4 +51,25 @@ namespace demold
                          "must lie between 0 and 1; got " +
                            std::to_string(relative_tolerance) + ".");
   }
+
+
+  std::vector<double> LinearSolverStatistics::counts() const
+  {
+    return {static_cast<double>(factorisations),
+            static_cast<double>(hierarchies),
+            static_cast<double>(solves),
+            static_cast<double>(krylov_iterations)};
+  }
+
+
+  LinearSolverStatistics
+  LinearSolverStatistics::from_counts(const std::vector<double> &counts)
+  {
+    LinearSolverStatistics statistics;
+    statistics.factorisations    = static_cast<unsigned int>(counts.at(0));
+    statistics.hierarchies       = static_cast<unsigned int>(counts.at(1));
+    statistics.solves            = static_cast<unsigned int>(counts.at(2));
+    statistics.krylov_iterations = static_cast<unsigned int>(counts.at(3));
+    return statistics;
+  }
 } // namespace demold

@@ -4,6 +4,7 @@
 #define demold_solution_linear_solver_parameters_h
 
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -26,7 +27,7 @@ namespace demold
     void check() const;
   };
 
-  /// What was done since construction.
+  /// What was done since the start of the run.
   struct LinearSolverStatistics
   {
     unsigned int factorisations    = 0;
@@ -35,6 +36,11 @@ namespace demold
     unsigned int krylov_iterations = 0;
     double       seconds_setup     = 0.; ///< factors and hierarchies [s]
     double       seconds_solve     = 0.; ///< the rest [s]
+
+    /// The counts, without the seconds, for checkpoints.
+    std::vector<double> counts() const;
+    static LinearSolverStatistics
+    from_counts(const std::vector<double> &counts);
   };
 } // namespace demold
 

@@ -29,8 +29,7 @@ namespace demold
 
     /// Builds the hierarchy for @p matrix, whose rows lie on the ranks as those
     /// of the modes. False if there is none, say for an empty diagonal.
-    /// @param smoother_degree  of the Chebyshev polynomials
-    bool build(const SparseMatrix &matrix, unsigned int smoother_degree);
+    bool build(const SparseMatrix &matrix);
 
     bool is_built() const;
     void clear();

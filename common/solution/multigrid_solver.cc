@@ -53,7 +53,7 @@ namespace demold
         excess_iterations < hierarchy_worth &&
         iterate(A, x, b, tolerance, symmetric))
       return true;
-    if (build(A, symmetric) && iterate(A, x, b, tolerance, symmetric))
+    if (build(A) && iterate(A, x, b, tolerance, symmetric))
       return true;
     multigrid.clear();
     pause = pause_after_failure;
@@ -61,11 +61,10 @@ namespace demold
   }
 
 
-  bool MultigridSolver::build(const SparseMatrix &A, const bool symmetric)
+  bool MultigridSolver::build(const SparseMatrix &A)
   {
     const Timer timer;
-    // GMRES keeps its directions, so fewer and dearer iterations suit it.
-    fresh             = multigrid.build(A, symmetric ? 1 : 2);
+    fresh             = multigrid.build(A);
     excess_iterations = 0;
     ++statistics.hierarchies;
     statistics.seconds_setup += timer.wall_time();

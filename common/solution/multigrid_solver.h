@@ -36,7 +36,7 @@ namespace demold
     void forget();
 
   private:
-    bool         build(const SparseMatrix &A, bool symmetric);
+    bool         build(const SparseMatrix &A);
     bool         iterate(const SparseMatrix &A,
                          Vector             &x,
                          const Vector       &b,

@@ -20,6 +20,8 @@ namespace demold
   {
     double dt      = 0.; ///< [s] next increment, 0 at the start
     double last_dt = 0.; ///< [s] last one, 0 if nothing to extrapolate from
+    unsigned int rejected          = 0; ///< increments, so far
+    unsigned int newton_iterations = 0; ///< so far, also of rejected increments
   };
 
   /// Increments of time, section Solution. Zero means: chosen by the scene.
@@ -50,7 +52,8 @@ namespace demold
   /// Called after each accepted increment; false ends the run.
   using OnAccept = std::function<bool(const IncrementRecord &)>;
 
-  /// How a strategy ended.
+  /// How a strategy ended. Rejected increments and iterations are those since
+  /// the start of the run, with those before a restart.
   struct StrategyResult
   {
     bool         gave_up = false;

@@ -34,6 +34,9 @@ namespace demold
     double        time;      ///< [s]  t_{n+1}
     double        dt;        ///< [s]  t_{n+1} - t_n
     unsigned int  iteration; ///< of Newton, 0 first
+
+    /// Is u only what the last increment makes expect?
+    bool extrapolated = false;
   };
 
   /// How a term enters a time integrator: `bulk` forces are blended between

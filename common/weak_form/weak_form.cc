@@ -131,7 +131,8 @@ namespace demold
   {
     new_time = time;
     trial    = accepted;
-    if (extrapolation != 0.)
+    is_extrapolated = extrapolation != 0.;
+    if (is_extrapolated)
       trial.add(extrapolation, previous_increment);
     supports.values(time, prescribed);
   }
@@ -142,7 +143,8 @@ namespace demold
             ghosted_accepted,
             new_time,
             new_time - accepted_time,
-            iteration};
+            iteration,
+            is_extrapolated && iteration == 0};
   }
 
   bool WeakForm::prescribe_increments()

@@ -163,12 +163,13 @@ namespace demold
     std::vector<std::unique_ptr<Term>> terms;
     dealii::AffineConstraints<double>  constraints;
     dealii::IndexSet                   owned, relevant;
-    unsigned int                       n_extra       = 0;
-    unsigned int                       n_patterns    = 0;
-    bool                               is_set_up     = false;
-    double                             bulk_weight   = 1.;
-    double                             accepted_time = 0.;
-    double                             new_time      = 0.;
+    unsigned int                       n_extra         = 0;
+    unsigned int                       n_patterns      = 0;
+    bool                               is_set_up       = false;
+    bool                               is_extrapolated = false;
+    double                             bulk_weight     = 1.;
+    double                             accepted_time   = 0.;
+    double                             new_time        = 0.;
     Energies                           retired; // of removed terms
     double                             accepted_external = 0.;
 

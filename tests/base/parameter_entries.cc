@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace demold
 {
   namespace
@@ -107,7 +109,7 @@ namespace demold
     TEST_F(Entries, a_wrong_value_is_refused_with_path_value_and_rule)
     {
       for (const auto &[path, value, rule] :
-           std::vector<std::array<std::string, 3>>{
+           std::vector<std::tuple<std::string, std::string, std::string>>{
              {"Adhesion law/rupture gap", "-1", "0 <= v"},
              {"Adhesion law/rupture gap", "1 mm", "0 <= v"},
              {"Adhesion law/rupture gap", "nan", "0 <= v"},

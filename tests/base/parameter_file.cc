@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace demold
 {
   namespace
@@ -134,7 +136,7 @@ namespace demold
     {
       ScratchFolder folder;
       for (const auto &[text, place, words] :
-           std::vector<std::array<std::string, 3>>{
+           std::vector<std::tuple<std::string, std::string, std::string>>{
              {"\nstrength = 3\n", "a.prm:2", "cannot understand"},
              {"set strength 3\n", "a.prm:1", "lacks \"=\""},
              {"end\n", "a.prm:1", "without a \"subsection\""},

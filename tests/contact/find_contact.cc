@@ -130,6 +130,34 @@ namespace
     EXPECT_EQ(find(above, n, floor, {1., 1.}, 0)->facet, 0u);
   }
 
+  TEST(find_contact, what_touches_a_face_within_round_off_touches_no_edge)
+  {
+    // On the common edge of an oblique plane, rounding decides whether face
+    // or edge is nearer, and on which side of it the node lies.
+    const auto slope = [](const double x, const double z) {
+      return Point<3>(x, 0.31 * x - 0.17 * z, z);
+    };
+    for (int i = 1; i < 1000; ++i)
+      {
+        const double         a = 0.37 + 0.013 * i;
+        const ContactSurface plane({{{{0, 3, 4, 1}}, 4}, {{{1, 4, 5, 2}}, 4}},
+                                   {slope(a + 0.7, 0.),
+                                    slope(a, 0.),
+                                    slope(a - 0.9, 0.),
+                                    slope(a + 0.7, 1.1),
+                                    slope(a, 1.1),
+                                    slope(a - 0.9, 1.1)});
+        const auto up = facet_frame(plane.facet_positions(0), {}).normal;
+        for (const double off : {0., 3e-15, 1e-13})
+          {
+            const Point<3> x     = slope(a, 0.00107 * i) + off * up;
+            const auto     found = find(x, -up, plane);
+            ASSERT_TRUE(found);
+            ASSERT_EQ(found->kind, ContactCase::face) << i << ", " << off;
+          }
+      }
+  }
+
   TEST(find_contact, foot_may_lie_two_percent_off_a_free_end_only)
   {
     const std::vector<Point<3>> floor{Point<3>(2, 0, 0), Point<3>(0, 0, 0)};

@@ -21,8 +21,7 @@ namespace
     FrictionAnchor    anchor;
   };
 
-  NodeOnFloor
-  node_on_floor(const double behind, const double gap = -0.01)
+  NodeOnFloor node_on_floor(const double behind, const double gap = -0.01)
   {
     const ContactSurface floor({{{{0, 1, 2, 3}}, 4}},
                                {Point<3>(0, 0, 0),
@@ -39,10 +38,11 @@ namespace
 
   TEST(friction_force, slides_at_the_coulomb_limit_and_drags_the_stick_point)
   {
-    const auto   pair = node_on_floor(0.1);
-    const auto   F    = friction_force(pair.kin, pair.anchor, penalties);
+    auto         pair = node_on_floor(0.1);
     const double L    = 0.3 * 50. * 0.01; // mu c_N |gap|
     const double slip = 0.1 - L / 20.;    // total less the elastic part
+    pair.anchor.limit = L;                // the pressure stays
+    const auto F      = friction_force(pair.kin, pair.anchor, penalties);
     EXPECT_EQ(F.state, FrictionState::slip);
     EXPECT_NEAR(F.traction[0], L, 1e-14);
     EXPECT_NEAR(F.R[0], L, 1e-14);
@@ -54,6 +54,7 @@ namespace
     FrictionAnchor next;
     next.x = new_anchor(pair.kin, pair.anchor, F, penalties);
     EXPECT_LT((next.x - Point<3>(0.4 - L / 20., 0.3, 0.)).norm(), 1e-14);
+    next.limit       = F.limit;
     const auto again = friction_force(pair.kin, next, penalties);
     EXPECT_NEAR(again.trial, L, 1e-13);
     EXPECT_LT(again.dissipation, 1e-13);
@@ -79,6 +80,28 @@ namespace
     EXPECT_LT(
       (new_anchor(pair.kin, pair.anchor, F, penalties) - pair.kin.x_m).norm(),
       1e-14);
+  }
+
+  TEST(friction_force, loses_the_mean_of_both_limits_times_the_slip)
+  {
+    auto         pair = node_on_floor(0.1);
+    const double L    = 0.3 * 50. * 0.01;
+    const double old  = 0.4 * L; // the pressure was lower
+    pair.anchor.limit = old;
+    EXPECT_NEAR(friction_force(pair.kin, pair.anchor, penalties).dissipation,
+                0.5 * (old + L) * (0.1 - L / 20.),
+                1e-14);
+  }
+
+  TEST(friction_force, loses_all_it_had_stored_when_the_pressure_goes)
+  {
+    // Held at t = c_T 0.005 mm, then let go where it is: psi = t^2/2/c_T.
+    auto         pair       = node_on_floor(0.005, 0.01);
+    const double t          = 20. * 0.005;
+    pair.anchor.traction[0] = t;
+    EXPECT_NEAR(friction_force(pair.kin, pair.anchor, penalties).dissipation,
+                0.5 * t * t / 20.,
+                1e-15);
   }
 
   TEST(friction_force, pulls_back_towards_where_the_node_came_from)

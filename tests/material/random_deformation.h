@@ -82,6 +82,23 @@ namespace demold
     }
   };
 
+  /// A branch law with, if it is isochoric, its update.
+  struct Variant
+  {
+    const char   *name;
+    BranchLaw     branch_law;
+    ViscousUpdate update;
+  };
+
+  /// All that section Material offers.
+  constexpr Variant all_variants[] = {
+    {"V1 EXP2", BranchLaw::isochoric, ViscousUpdate::exp2},
+    {"V1 BE", BranchLaw::isochoric, ViscousUpdate::be},
+    {"V1 LIN", BranchLaw::isochoric, ViscousUpdate::lin},
+    {"V2", BranchLaw::linear, ViscousUpdate::exp2},
+    {"V3", BranchLaw::lubliner, ViscousUpdate::exp2},
+    {"V4", BranchLaw::convolution, ViscousUpdate::exp2}};
+
   /// One branch mu = 1 MPa, tau = 1 s beside an elastic law that carries
   /// nothing, so that stress and energies are the branch's own.
   inline RubberLaw bare_branch(const ViscousUpdate update)
@@ -90,6 +107,13 @@ namespace demold
     law.elastic  = MooneyRivlin{0., 0., 0.};
     law.branches = {{1., 1.}};
     law.update   = update;
+    return law;
+  }
+
+  inline RubberLaw bare_branch(const Variant &variant)
+  {
+    RubberLaw law  = bare_branch(variant.update);
+    law.branch_law = variant.branch_law;
     return law;
   }
 } // namespace demold

@@ -1,66 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Section Material: what it gives and what it refuses.
-#include "material/rubber_model.h"
+#include "parsed_material.h"
 
-#include "base/parameter_error.h"
-
-#include <deal.II/base/parameter_handler.h>
-
-#include <gtest/gtest.h>
-
-#include <sstream>
+#include <cmath>
 
 using namespace demold;
-
-namespace
-{
-  RubberModel parsed(const std::string &entries)
-  {
-    dealii::ParameterHandler prm;
-    RubberModel              model;
-    model.add_parameters(prm);
-    prm.parse_input_from_string("subsection Material\n" + entries + "\nend\n");
-    return model;
-  }
-
-  /// The message of check(), or nothing.
-  std::string complaint(const std::string &entries)
-  {
-    try
-      {
-        parsed(entries).check();
-      }
-    catch (const ExcParameter &error)
-      {
-        return error.what();
-      }
-    return "";
-  }
-
-  void expect_words(const std::string              &message,
-                    const std::vector<std::string> &words)
-  {
-    for (const std::string &word : words)
-      EXPECT_NE(message.find(word), std::string::npos)
-        << '"' << word << "\" in \"" << message << '"';
-  }
-
-  const std::string tables =
-    "set relaxation times = 0.1, 1\n"
-    "set table f90 = 0.5, 0.6, 0.8, 1.0\n"
-    "set table equilibrium modulus = 1.2, 1.5, 2.4, 3.0\n"
-    "set table branch moduli = 4, 1; 3.5, .9; 3, .6; 2.8, .5\n";
-
-  RubberModel tread_ref()
-  {
-    dealii::ParameterHandler prm;
-    RubberModel              model;
-    model.add_parameters(prm);
-    prm.parse_input(DEMOLD_SOURCE_DIR "/prm/materials/tread-ref.prm");
-    model.check();
-    return model;
-  }
-} // namespace
 
 TEST(material_section, has_defaults_that_pass_its_own_check)
 {
@@ -91,41 +35,68 @@ TEST(material_section, turns_young_moduli_of_branches_into_shear_moduli)
   EXPECT_EQ(law.update, ViscousUpdate::be);
 }
 
-TEST(material_tables, are_met_exactly_at_their_levels_by_both_models)
+TEST(branch_law, is_chosen_by_name)
 {
-  for (const std::string name : {"mooney-rivlin", "mooney-rivlin isochoric"})
+  const std::string branches = "set relaxation times = 0.1, 1\n"
+                               "set branch moduli = 0.3, 0.6\n";
+  EXPECT_EQ(parsed(branches).at(1.).branch_law, BranchLaw::isochoric);
+  const std::pair<std::string, BranchLaw> names[] = {
+    {"isochoric neo-hooke", BranchLaw::isochoric},
+    {"linear evolution", BranchLaw::linear},
+    {"lubliner", BranchLaw::lubliner},
+    {"stress convolution", BranchLaw::convolution}};
+  for (const auto &[name, law] : names)
+    for (const std::string &entries : {branches, tables})
+      {
+        const RubberModel model =
+          parsed(entries + "set branch law = " + name + "\n");
+        model.check();
+        EXPECT_EQ(model.at(.8).branch_law, law) << name;
+      }
+}
+
+TEST(branch_law, refuses_an_update_that_is_not_its_own)
+{
+  const std::string entries = "set relaxation times = 1\n"
+                              "set branch moduli = 1\n";
+  for (const std::string name :
+       {"linear evolution", "lubliner", "stress convolution"})
+    for (const std::string update : {"BE", "LIN"})
+      expect_words(complaint(entries + "set branch law = " + name +
+                             "\nset update = " + update),
+                   {"Material/update", name, "EXP2", "got " + update});
+  EXPECT_EQ(complaint(entries + "set update = BE"), "");
+}
+
+TEST(viscosity, is_switched_off_by_one_entry)
+{
+  const std::string constants = "set relaxation times = 0.1, 1\n"
+                                "set branch moduli = 0.3, 0.6\n";
+  for (const std::string &entries : {constants, tables})
     {
-      const RubberModel model = parsed("set model = " + name + "\n" + tables);
-      const double      f90[] = {.5, .6, .8, 1.}, E[] = {1.2, 1.5, 2.4, 3.};
-      const double      E_2[] = {1., .9, .6, .5};
-      for (unsigned int i = 0; i < 4; ++i)
-        {
-          const RubberLaw law = model.at(f90[i]);
-          EXPECT_NEAR(3. * law.shear_modulus_relaxed(), E[i], 1e-14);
-          EXPECT_NEAR(3. * law.branches[1].modulus, E_2[i], 1e-14);
-        }
-      const double between = 3. * model.at(.7).shear_modulus_relaxed();
-      EXPECT_GT(between, 1.5);
-      EXPECT_LT(between, 2.4);
+      const RubberModel off = parsed(entries + "set viscosity = false");
+      off.check();
+      const RubberLaw elastic = off.at(.8), viscous = parsed(entries).at(.8);
+      EXPECT_EQ(off.n_branches(), 0u);
+      EXPECT_TRUE(elastic.branches.empty());
+      EXPECT_EQ(elastic.n_history(), 0u);
+      EXPECT_EQ(elastic.shear_modulus_relaxed(),
+                viscous.shear_modulus_relaxed());
+      EXPECT_EQ(elastic.shear_modulus_instantaneous(),
+                elastic.shear_modulus_relaxed());
+      EXPECT_EQ(viscous.branches.size(), 2u);
     }
 }
 
-TEST(material_tables, split_the_modulus_by_mu2_over_mu1)
+TEST(viscosity, may_be_off_and_its_entries_are_checked_all_the_same)
 {
-  const RubberLaw law = parsed(tables + "set table mu2 over mu1 = 0.5").at(1.);
-  const auto      elastic = std::get<MooneyRivlin>(law.elastic);
-  EXPECT_NEAR(elastic.mu1, 2. / 3., 1e-14);
-  EXPECT_NEAR(elastic.mu2, 1. / 3., 1e-14);
-  EXPECT_EQ(elastic.lambda, 50.);
-}
-
-TEST(f90_outside_the_table, names_the_entry_and_both_numbers)
-{
-  expect_words(complaint(tables + "set f90 = 1.3"),
-               {"Material/f90", "0.5 to 1", "1.3", "table f90"});
-  EXPECT_THROW(parsed(tables).at(.49), ExcParameter);
-  EXPECT_THROW(parsed(tables).at(std::nan("")), ExcParameter);
-  EXPECT_EQ(parsed(tables).f90_range(), (std::pair<double, double>(.5, 1.)));
+  expect_words(complaint("set viscosity = false\n"
+                         "set relaxation times = 1, 2, 3\n"
+                         "set branch moduli = 1, 2"),
+               {"Material/branch moduli", "3 entries", "got 2"});
+  expect_words(complaint(tables + "set viscosity = false\n"
+                                  "set table branch moduli = 1, 1; 1, 1"),
+               {"Material/table branch moduli", "4 rows", "got 2"});
 }
 
 TEST(f90, may_be_an_expression)
@@ -162,86 +133,4 @@ TEST(bad_material, is_refused_with_path_rule_and_numbers)
   expect_words(complaint("set relaxation times = 1, 2\n"
                          "set branch moduli = 1, 0"),
                {"Material/branch moduli", "got 0", "number 2"});
-}
-
-TEST(bad_tables, are_refused_with_path_rule_and_numbers)
-{
-  expect_words(complaint("set table f90 = 0.5, 0.8, 1\n"
-                         "set table equilibrium modulus = 1, 2, 3"),
-               {"Material/table f90", "at least 4", "got 3"});
-  expect_words(complaint("set table f90 = 0.5, 0.8, 0.7, 1\n"
-                         "set table equilibrium modulus = 1, 2, 3, 4"),
-               {"Material/table f90", "0.7 after 0.8"});
-  expect_words(complaint("set table f90 = 0.5, 0.6, 0.7, 1\n"
-                         "set table equilibrium modulus = 1, 2, 3"),
-               {"Material/table equilibrium modulus", "4 levels", "got 3"});
-  expect_words(complaint(tables + "set table branch moduli = 1, 1; 1, 1"),
-               {"Material/table branch moduli", "4 rows", "got 2"});
-  expect_words(complaint(tables +
-                         "set table branch moduli = 1, 1; 1, 1; 1; 1, 1"),
-               {"Material/table branch moduli", "2 entries", "got 1 in row 3"});
-  expect_words(complaint(tables + "set branch moduli = 1, 2"),
-               {"Material/branch moduli", "2 moduli", "4 levels"});
-  expect_words(complaint("set table equilibrium modulus = 1, 2"),
-               {"Material/table f90", "0 levels", "2 equilibrium"});
-}
-
-// Expected values: theory A.4, Prony rows of TREAD-REF.
-TEST(tread_ref, is_the_compound_of_theory)
-{
-  const RubberModel model = tread_ref();
-  EXPECT_EQ(model.uniform_f90(), .8);
-  EXPECT_EQ(model.n_branches(), 8u);
-
-  const RubberLaw law = model.at(.8);
-  EXPECT_NEAR(3. * law.shear_modulus_relaxed(), 2.2727, 1e-12);
-  const auto elastic = std::get<MooneyRivlin>(law.elastic);
-  EXPECT_NEAR(elastic.mu2 / elastic.mu1, .25, 1e-12);
-  EXPECT_EQ(elastic.lambda, 50.);
-  EXPECT_EQ(law.density, 1.12e-9);
-
-  const double E[] = {.5108, .5347, .5208, .3916, .2530, .1468, .0871, .0185};
-  for (unsigned int j = 0; j < 8; ++j)
-    {
-      EXPECT_NEAR(3. * law.branches[j].modulus, E[j], 1e-12);
-      EXPECT_NEAR(law.branches[j].relaxation_time / std::pow(10., j - 4.),
-                  1.,
-                  1e-12);
-    }
-  EXPECT_NEAR(3. * model.at(.6).shear_modulus_relaxed(), 1.3290, 1e-12);
-  EXPECT_NEAR(3. * model.at(1.).branches[7].modulus, .0097, 1e-12);
-}
-
-// The fractional Zener model of theory A.4 at 1 Hz; the fit is good to 6.3 %.
-TEST(tread_ref, has_the_complex_modulus_it_was_made_from)
-{
-  const double      expected[3][3] = {{1., 3.5061, .2071},
-                                      {.8, 2.8961, .2473},
-                                      {.6, 2.1267, .2637}};
-  const RubberModel model          = tread_ref();
-  for (const auto &[f90, storage, loss] : expected)
-    {
-      const RubberLaw law = model.at(f90);
-      double          E1 = 3. * law.shear_modulus_relaxed(), E2 = 0.;
-      for (const MaxwellBranch &branch : law.branches)
-        {
-          const double w = 2. * M_PI * branch.relaxation_time;
-          E1 += 3. * branch.modulus * w * w / (1. + w * w);
-          E2 += 3. * branch.modulus * w / (1. + w * w);
-        }
-      EXPECT_NEAR(E1 / storage, 1., .063);
-      EXPECT_NEAR(E2 / loss, 1., .063);
-    }
-}
-
-TEST(tread_ref, stiffens_steadily_with_cure)
-{
-  const RubberModel model = tread_ref();
-  double            last  = 0.;
-  for (double f90 = .5; f90 <= 1.2; f90 += .01)
-    {
-      const RubberLaw law = model.at(f90);
-      EXPECT_GT(law.shear_modulus_relaxed(), last);
-      last = law.shear_modulus_relaxed();
-    }
 }

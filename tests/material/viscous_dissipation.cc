@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Work done on the rubber is stored or dissipated, and nothing else.
+#include "material/overstress.h"
+
 #include "random_deformation.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +13,10 @@ using namespace demold;
 
 namespace
 {
-  constexpr ViscousUpdate all_updates[] = {ViscousUpdate::exp2,
-                                           ViscousUpdate::be,
-                                           ViscousUpdate::lin};
+  /// Those with a stored energy and of second order.
+  constexpr Variant second_order[] = {all_variants[0],
+                                      all_variants[3],
+                                      all_variants[4]};
 
   struct Ledger
   {
@@ -51,27 +54,50 @@ namespace
     return ledger;
   }
 
-  RubberLaw three_branches()
+  RubberLaw three_branches(const Variant &variant)
   {
     RubberLaw law;
-    law.elastic  = MooneyRivlin{50., .4, .1};
-    law.branches = {{.3, .05}, {.5, .5}, {.2, 5.}};
+    law.elastic    = MooneyRivlin{50., .4, .1};
+    law.branches   = {{.3, .05}, {.5, .5}, {.2, 5.}};
+    law.branch_law = variant.branch_law;
+    law.update     = variant.update;
     return law;
   }
 
+  /// Rate of C_i and dissipation (theory A8, A.2; mu = tau = 1).
+  Tensor<2, 3> rate_of_metric(const BranchLaw     law,
+                              const Tensor<2, 3> &C,
+                              const Tensor<2, 3> &Ci,
+                              double             &D)
+  {
+    const Tensor<2, 3> one(dealii::unit_symmetric_tensor<3>());
+    if (law == BranchLaw::isochoric)
+      {
+        const Tensor<2, 3> Cbar = C * std::pow(determinant(C), -1. / 3.);
+        const Tensor<2, 3> X    = Cbar * invert(Ci);
+        D = .5 * (trace(X * X) - trace(X) * trace(X) / 3.);
+        return Cbar - trace(X) / 3. * Ci;
+      }
+    // Similar to b_e: the traces are the same.
+    const Tensor<2, 3> b_e = C * invert(Ci), excess = b_e - one;
+    if (law == BranchLaw::linear)
+      {
+        D = .5 * trace(excess * excess);
+        return C - Ci;
+      }
+    D = .5 * trace(excess * excess * invert(b_e));
+    return -1. * (Ci * (invert(C) - invert(Ci)) * Ci);
+  }
+
   /// Independent path: Runge-Kutta for the evolution equation of C_i and the
-  /// dissipated energy (theory A8, mu = tau = 1), along F(t).
-  double reference_dissipation(const std::function<Tensor<2, 3>(double)> &F,
+  /// dissipated energy, along F(t).
+  double reference_dissipation(const BranchLaw                            law,
+                               const std::function<Tensor<2, 3>(double)> &F,
                                const double                               end)
   {
     using Tensor2   = Tensor<2, 3>;
     const auto rate = [&](const double t, const Tensor2 &Ci, double &D) {
-      const Tensor2 C    = transpose(F(t)) * F(t);
-      const Tensor2 Cbar = C * std::pow(determinant(C), -1. / 3.);
-      const Tensor2 X    = Cbar * invert(Ci);
-      const double  tr   = trace(X);
-      D                  = .5 * (trace(X * X) - tr * tr / 3.);
-      return Cbar - tr / 3. * Ci;
+      return rate_of_metric(law, transpose(F(t)) * F(t), Ci, D);
     };
     Tensor2            Ci(dealii::unit_symmetric_tensor<3>());
     double             sum = 0., D1, D2, D3, D4;
@@ -102,12 +128,16 @@ namespace
 
 TEST(energy_balance, closes_over_cycles_of_shear)
 {
-  const auto cycles = [](const double t) {
-    return simple_shear(.6 * std::sin(2. * M_PI * t));
-  };
-  const Ledger ledger = follow(three_branches(), cycles, 3., 600);
-  EXPECT_GT(ledger.dissipated, .1 * ledger.work);
-  EXPECT_LT(ledger.gap(), 1e-3);
+  for (const Variant &variant : all_variants)
+    {
+      const auto cycles = [](const double t) {
+        return simple_shear(.6 * std::sin(2. * M_PI * t));
+      };
+      const Ledger ledger = follow(three_branches(variant), cycles, 3., 600);
+      EXPECT_GT(ledger.dissipated, .1 * ledger.work) << variant.name;
+      EXPECT_LT(ledger.gap(), variant.update == ViscousUpdate::be ? .02 : 1e-3)
+        << variant.name;
+    }
 }
 
 TEST(energy_balance, closes_with_second_order)
@@ -116,63 +146,78 @@ TEST(energy_balance, closes_with_second_order)
     const double s = std::sin(2. * M_PI * t);
     return simple_shear(.6 * s) * stretches(1. + .2 * s * s, 1., 1.);
   };
-  const double coarse = follow(three_branches(), cycle, 1., 100).gap();
-  const double fine   = follow(three_branches(), cycle, 1., 200).gap();
-  EXPECT_NEAR(std::log2(coarse / fine), 2., .2);
+  for (const Variant &variant : second_order)
+    {
+      const RubberLaw law    = three_branches(variant);
+      const double    coarse = follow(law, cycle, 1., 100).gap();
+      const double    fine   = follow(law, cycle, 1., 200).gap();
+      EXPECT_NEAR(std::log2(coarse / fine), 2., .2) << variant.name;
+    }
 }
 
 TEST(dissipation, converges_with_second_order_to_the_differential_equation)
 {
-  const RubberLaw law = bare_branch(ViscousUpdate::exp2);
-  for (const auto &path : {ramp, held})
-    {
-      const double reference = reference_dissipation(path, 2.);
-      const auto   error     = [&](const unsigned int n) {
-        return std::abs(follow(law, path, 2., n).dissipated - reference);
-      };
-      EXPECT_NEAR(std::log2(error(40) / error(80)), 2., .15);
-      EXPECT_LT(error(80), 1e-3 * reference);
-    }
+  for (const Variant &variant : second_order)
+    for (const auto &path : {ramp, held})
+      {
+        const RubberLaw law = bare_branch(variant);
+        const double    reference =
+          reference_dissipation(law.branch_law, path, 2.);
+        const auto error = [&](const unsigned int n) {
+          return std::abs(follow(law, path, 2., n).dissipated - reference);
+        };
+        EXPECT_NEAR(std::log2(error(40) / error(80)), 2., .15) << variant.name;
+        EXPECT_LT(error(80), 1e-3 * reference) << variant.name;
+      }
 }
 
 // At constant strain no work is done: all that a branch stored is dissipated.
+// With the other two laws the estimate of one long step is as good up to a
+// shear of 0.3; beyond, it must only not fall short.
 TEST(dissipation, of_one_relaxing_step_is_the_stored_energy_lost)
 {
-  for (const double gamma : {.01, .3, 1., 2.})
-    for (const double dt : {.01, .1, 1., 3., 10., 1e4})
-      {
-        Point point(bare_branch(ViscousUpdate::exp2));
-        point.move_to(simple_shear(gamma), 0.);
-        const double before = point.response.stored;
-        EXPECT_NEAR(before, .5 * gamma * gamma, 1e-12);
-        point.move_to(simple_shear(gamma), dt);
-        EXPECT_NEAR(point.response.dissipated /
-                      (before - point.response.stored),
-                    1.,
-                    .03)
-          << "gamma = " << gamma << ", dt = " << dt;
-      }
+  for (const Variant &variant : second_order)
+    for (const double gamma : {.01, .3, 1., 2.})
+      for (const double dt : {.01, .1, 1., 3., 10., 1e4})
+        {
+          Point point(bare_branch(variant));
+          point.move_to(simple_shear(gamma), 0.);
+          const double before = point.response.stored;
+          EXPECT_NEAR(before, .5 * gamma * gamma, 1e-12);
+          point.move_to(simple_shear(gamma), dt);
+          const double ratio =
+            point.response.dissipated / (before - point.response.stored);
+          const bool isochoric = variant.branch_law == BranchLaw::isochoric;
+          EXPECT_GT(ratio, .97)
+            << variant.name << ", gamma = " << gamma << ", dt = " << dt;
+          EXPECT_LT(ratio, isochoric || gamma < 1. ? 1.03 : 1.4)
+            << variant.name << ", gamma = " << gamma << ", dt = " << dt;
+        }
 }
 
 // Steady flow at small strain: x = rate tau, D = mu rate^2 tau.
 TEST(dissipation, of_long_steps_in_steady_flow_is_that_of_the_dashpot)
 {
   const double rate = 1e-6, dt = 50.;
-  Point        point(bare_branch(ViscousUpdate::exp2));
-  point.move_to(simple_shear(rate * dt), dt);
-  point.move_to(simple_shear(2. * rate * dt), dt);
-  EXPECT_NEAR(point.response.dissipated / (rate * rate * dt), 1., 1e-3);
+  for (const Variant &variant : second_order)
+    {
+      Point point(bare_branch(variant));
+      point.move_to(simple_shear(rate * dt), dt);
+      point.move_to(simple_shear(2. * rate * dt), dt);
+      EXPECT_NEAR(point.response.dissipated / (rate * rate * dt), 1., 1e-3)
+        << variant.name;
+    }
 }
 
 TEST(dissipation, is_never_negative)
 {
   std::mt19937                           generator(9);
   std::uniform_real_distribution<double> exponent(-4., 4.);
-  for (const ViscousUpdate update : all_updates)
+  for (const Variant &variant : all_variants)
     {
-      RubberLaw law = three_branches();
-      law.update    = update;
-      Point point(law);
+      if (variant.branch_law == BranchLaw::convolution)
+        continue; // does not claim it
+      Point point(three_branches(variant));
       for (unsigned int i = 0; i < 2000; ++i)
         {
           point.move_to(random_gradient(generator, .3),

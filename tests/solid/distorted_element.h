@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A distorted element with 2^dim nodes, for tests of the kernel.
+// A distorted element with 2^dim nodes of rubber, for tests of the kernel.
 #ifndef demold_tests_distorted_element_h
 #define demold_tests_distorted_element_h
 
@@ -81,6 +81,47 @@ namespace demold
       }
     return points;
   }
+
+  /// The distorted element of one rubber, at the first step from rest.
+  template <int dim, int n_nodes>
+  struct DistortedElement
+  {
+    DistortedElement(const RubberLaw      &law,
+                     const VolumeTreatment volume,
+                     const bool            hoop = false)
+      : law(law)
+      , volume(volume)
+      , points(element_points<dim, n_nodes>(hoop))
+      , history(law.n_history() * points.size())
+      , new_history(history)
+    {
+      for (std::size_t q = 0; law.n_history() > 0 && q < points.size(); ++q)
+        law.initialize(history.data() + q * law.n_history());
+    }
+
+    /// Sums at nodal displacements @p u [mm], unknown a*dim + i; false if the
+    /// element is inside out.
+    bool evaluate(const double *u, ElementResult<dim, n_nodes> &result)
+    {
+      const double dt = .05; // [s], half a relaxation time of the tests
+      return kernel.evaluate(points,
+                             u,
+                             &law,
+                             0,
+                             volume,
+                             dt,
+                             history.data(),
+                             new_history.data(),
+                             true,
+                             result);
+    }
+
+    const RubberLaw                               law;
+    const VolumeTreatment                         volume;
+    const std::vector<ElementPoint<dim, n_nodes>> points;
+    std::vector<double>                           history, new_history;
+    ElementKernel<dim, n_nodes>                   kernel;
+  };
 } // namespace demold
 
 #endif

@@ -2,6 +2,7 @@
 // Element residual is the gradient of the stored energy, the tangent that of
 // the residual, for every element and plane model.
 #include "distorted_element.h"
+#include "test_rubber.h"
 
 #include <gtest/gtest.h>
 
@@ -12,56 +13,26 @@ using namespace demold;
 
 namespace
 {
-  RubberLaw rubber(const bool viscous)
-  {
-    RubberLaw    law;
-    MooneyRivlin elastic;
-    elastic.lambda = 50.;
-    elastic.mu1    = .4;
-    elastic.mu2    = .1;
-    law.elastic    = elastic;
-    if (viscous)
-      {
-        MaxwellBranch branch;
-        branch.modulus         = .3;
-        branch.relaxation_time = .1;
-        law.branches.push_back(branch);
-      }
-    return law;
-  }
-
   template <int dim, int n_nodes>
   void check_derivatives(const VolumeTreatment volume, const bool hoop)
   {
-    constexpr int n      = dim * n_nodes;
-    const auto    points = element_points<dim, n_nodes>(hoop);
+    constexpr int n = dim * n_nodes;
     for (const bool viscous : {false, true})
       {
-        const RubberLaw     law = rubber(viscous);
-        std::vector<double> history(law.n_history() * points.size());
-        std::vector<double> unused(history);
-        for (std::size_t q = 0; viscous && q < points.size(); ++q)
-          law.initialize(history.data() + q * law.n_history());
-
+        DistortedElement<dim, n_nodes> element(viscous ?
+                                                 test_rubber({{.3, .1}}) :
+                                                 test_rubber(),
+                                               volume,
+                                               hoop);
         std::mt19937                           random(3);
         std::uniform_real_distribution<double> displacement(-.15, .15);
         double                                 u[n];
         for (double &entry : u)
           entry = displacement(random);
 
-        ElementKernel<dim, n_nodes> kernel;
         ElementResult<dim, n_nodes> result, plus, minus;
         const auto evaluate = [&](ElementResult<dim, n_nodes> &out) {
-          ASSERT_TRUE(kernel.evaluate(points,
-                                      u,
-                                      &law,
-                                      0,
-                                      volume,
-                                      .05,
-                                      history.data(),
-                                      unused.data(),
-                                      true,
-                                      out));
+          ASSERT_TRUE(element.evaluate(u, out));
         };
         evaluate(result);
         double largest = 0.;
@@ -128,19 +99,8 @@ TEST(ElementKernel, q1p0_tangent_matches_differences_in_space)
 
 TEST(ElementKernel, refuses_an_element_turned_inside_out)
 {
-  const auto          points = element_points<2, 4>(false);
-  const RubberLaw     law    = rubber(false);
-  ElementKernel<2, 4> kernel;
-  ElementResult<2, 4> result;
-  const double        u[8] = {3., 0., 0., 0., 3., 0., 0., 0.};
-  EXPECT_FALSE(kernel.evaluate(points,
-                               u,
-                               &law,
-                               0,
-                               VolumeTreatment::pointwise,
-                               1.,
-                               nullptr,
-                               nullptr,
-                               true,
-                               result));
+  DistortedElement<2, 4> element(test_rubber(), VolumeTreatment::pointwise);
+  ElementResult<2, 4>    result;
+  const double           u[8] = {3., 0., 0., 0., 3., 0., 0., 0.};
+  EXPECT_FALSE(element.evaluate(u, result));
 }

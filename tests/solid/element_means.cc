@@ -2,6 +2,7 @@
 // The mean stress and stretch of an element are those of its forces and its
 // deformation.
 #include "distorted_element.h"
+#include "test_rubber.h"
 
 #include <gtest/gtest.h>
 
@@ -9,45 +10,22 @@ using namespace demold;
 
 namespace
 {
-  /// Theory A.1: Lambda = 50, mu1 = 0.4, mu2 = 0.1 MPa.
-  RubberLaw rubber()
-  {
-    RubberLaw    law;
-    MooneyRivlin elastic;
-    elastic.lambda = 50.;
-    elastic.mu1    = .4;
-    elastic.mu2    = .1;
-    law.elastic    = elastic;
-    return law;
-  }
-
   /// In equilibrium with the nodal forces r_a: v mean(sigma) = sum r_a x_a.
   template <int dim, int n_nodes>
   void check_mean_stress(const VolumeTreatment volume)
   {
-    const auto      X      = element_nodes<dim, n_nodes>(false);
-    const auto      points = element_points<dim, n_nodes>(false);
-    const RubberLaw law    = rubber();
-    std::mt19937    random(3);
+    const auto   X = element_nodes<dim, n_nodes>(false);
+    std::mt19937 random(3);
     std::uniform_real_distribution<double> wobble(-.1, .1);
     double                                 u[dim * n_nodes];
     for (double &v : u)
       v = wobble(random);
-    ElementKernel<dim, n_nodes> kernel;
-    ElementResult<dim, n_nodes> result;
-    ASSERT_TRUE(kernel.evaluate(points,
-                                u,
-                                &law,
-                                0,
-                                volume,
-                                1.,
-                                nullptr,
-                                nullptr,
-                                false,
-                                result));
+    DistortedElement<dim, n_nodes> element(test_rubber(), volume);
+    ElementResult<dim, n_nodes>    result;
+    ASSERT_TRUE(element.evaluate(u, result));
 
     double volume_now = 0.;
-    for (const auto &point : points)
+    for (const auto &point : element.points)
       {
         Matrix3 F = {{{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}}};
         for (int a = 0; a < n_nodes; ++a)
@@ -85,27 +63,17 @@ TEST(ElementMeans, mean_stress_with_mean_dilatation_is_that_of_the_nodal_forces)
 // gives s11 = 0.125, s12 = 0.25, s22 = 0, s33 = 0.025 MPa.
 TEST(ElementMeans, means_of_simple_shear_are_the_closed_form)
 {
-  const RubberLaw law   = rubber();
-  const double    g     = .5;
-  const auto      X     = element_nodes<3, 8>(false);
-  double          u[24] = {};
+  const double g     = .5;
+  const auto   X     = element_nodes<3, 8>(false);
+  double       u[24] = {};
   for (int a = 0; a < 8; ++a)
     u[3 * a] = g * X[a][1];
-  ElementKernel<3, 8> kernel;
-  ElementResult<3, 8> result;
   for (const auto volume :
        {VolumeTreatment::pointwise, VolumeTreatment::mean_dilatation})
     {
-      ASSERT_TRUE(kernel.evaluate(element_points<3, 8>(false),
-                                  u,
-                                  &law,
-                                  0,
-                                  volume,
-                                  1.,
-                                  nullptr,
-                                  nullptr,
-                                  false,
-                                  result));
+      DistortedElement<3, 8> element(test_rubber(), volume);
+      ElementResult<3, 8>    result;
+      ASSERT_TRUE(element.evaluate(u, result));
       const Voigt stress = {{.125, 0., .025, .25, 0., 0.}};
       const Voigt C      = {{1., 1. + g * g, 1., g, 0., 0.}};
       for (unsigned int I = 0; I < 6; ++I)

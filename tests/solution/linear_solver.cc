@@ -143,6 +143,59 @@ namespace demold
   }
 
 
+  TEST(LinearSolver, solves_again_with_what_the_same_matrix_has_left)
+  {
+    for (const std::string linear : {"iterative", "direct"})
+      {
+        BlockOfCubes block(6, true);
+        LinearSolver solver(parameters(linear), MPI_COMM_WORLD);
+        solver.set_rigid_body_modes(block.rigid_body_modes(), 3);
+        block.assemble(40., uneven(.2));
+        TestSystem &system = block.system;
+        solve(solver, system);
+        const auto again = [&](const double factor) {
+          system.b *= factor;
+          system.exact *= factor;
+          EXPECT_EQ(solver.solve_again(system.A, system.x, system.b, 1e-10),
+                    Outcome::solved);
+          EXPECT_LE(system.residual(), 1.001e-10) << linear;
+          EXPECT_LE(system.error(), 1e-6) << linear;
+        };
+        again(2.);
+        again(-5.);
+        const bool direct = linear == "direct";
+        EXPECT_EQ(solver.statistics().solves, 3u);
+        EXPECT_EQ(solver.statistics().factorisations, direct ? 1u : 0u);
+        EXPECT_EQ(solver.statistics().hierarchies, direct ? 0u : 1u);
+        // the factor is that of the matrix, and so is the inertia
+        EXPECT_EQ(solver.n_negative_pivots(), direct ? 0 : -1);
+        // where everything has been forgotten it is made anew
+        solver.forget();
+        again(.3);
+        EXPECT_EQ(solver.statistics().factorisations, direct ? 2u : 0u);
+        EXPECT_EQ(solver.statistics().hierarchies, direct ? 0u : 2u);
+      }
+  }
+
+
+  TEST(LinearSolver, goes_on_counting_after_a_restart)
+  {
+    LinearSolverStatistics before;
+    before.factorisations    = 3;
+    before.hierarchies       = 5;
+    before.solves            = 7;
+    before.krylov_iterations = 11;
+    LinearSolver solver(parameters("direct"), MPI_COMM_WORLD);
+    solver.continue_from(LinearSolverStatistics::from_counts(before.counts()));
+    TestSystem chain = make_chain(20, 2.);
+    solve(solver, chain);
+    EXPECT_EQ(solver.statistics().factorisations, 4u);
+    EXPECT_EQ(solver.statistics().hierarchies, 5u);
+    EXPECT_EQ(solver.statistics().solves, 8u);
+    EXPECT_EQ(solver.statistics().krylov_iterations, 11u);
+  }
+
+
   TEST(LinearSolver, says_that_a_matrix_is_singular)
   {
     BlockOfCubes free(4, false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// peel.prm: steady peeling, theory E.3.
+// peel.prm, peel-30.prm: steady peeling, theory E.3.
 #include "step-nts-adhesion/closed_forms.h"
 
 #include <gtest/gtest.h>
@@ -62,5 +62,44 @@ namespace demold
         EXPECT_NEAR(run.history["force [N]"][i], exact, .05 * exact);
     EXPECT_GT(run.number("bonded area left [mm^2]"), 5.);
     EXPECT_GT(run.number("adhesion dissipation [mJ]"), .5);
+  }
+
+  TEST(Peel, needs_the_force_of_kendalls_balance_at_thirty_degree)
+  {
+    const SceneRun run = run_nts("peel-30.prm");
+    EXPECT_EQ(run.status(), "completed");
+    EXPECT_LT(run.number("energy balance error [-]"), .005);
+
+    // The direction in which bonds and contact are pulled at the end.
+    const double degree = std::acos(-1.) / 180.;
+    double       x = 0., y = 0.;
+    for (std::size_t i = 0; i < run.interface.n_rows(); ++i)
+      {
+        x += run.interface["force x [N]"][i];
+        y += run.interface["force y [N]"][i];
+      }
+    const double angle = std::atan2(std::abs(y), std::abs(x)) / degree;
+    record("angle of the force in degree", angle);
+    EXPECT_NEAR(angle, 30., .3);
+
+    // Steady: from 12 s on the front goes on, and the force stays.
+    const double exact = steady_force(30. * degree);
+    const auto  &t     = run.history["time [s]"];
+    const auto  &F     = run.history["force [N]"];
+    const auto  &A     = run.history["bonded area [mm^2]"];
+    const auto   first = static_cast<std::size_t>(
+      std::lower_bound(t.begin(), t.end(), 12.) - t.begin());
+    double sum = 0.;
+    for (std::size_t i = first + 1; i < t.size(); ++i)
+      {
+        EXPECT_NEAR(F[i], exact, .03 * exact) << t[i];
+        sum += .5 * (F[i] + F[i - 1]) * (t[i] - t[i - 1]);
+      }
+    const double mean = sum / (t.back() - t.at(first));
+    record("mean steady force over closed form", mean / exact);
+    EXPECT_NEAR(mean, exact, .02 * exact);
+    // At .5 mm/s; the bond lets go node by node, every .25 mm.
+    EXPECT_NEAR(A.at(first) - A.back(), .5 * (t.back() - t.at(first)), .6);
+    EXPECT_GT(A.back(), 5.);
   }
 } // namespace demold

@@ -5,6 +5,8 @@
 #include "solid/dead_traction.h"
 #include "solid/finite_strain_solid.h"
 #include "solid/lumped_mass.h"
+#include "test_rubber.h"
+#include "weak_form/displacement_space.h"
 #include "weak_form/vector_io.h"
 
 #include <deal.II/base/mpi.h>
@@ -18,8 +20,6 @@
 #include <deal.II/fe/fe_system.h>
 
 #include <deal.II/grid/grid_generator.h>
-
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <random>
 #include <sstream>
@@ -43,15 +43,7 @@ namespace demold
 
     RubberLaw rubber(const bool viscous)
     {
-      RubberLaw    law;
-      MooneyRivlin elastic;
-      elastic.lambda = 50.;
-      elastic.mu1    = .4;
-      elastic.mu2    = .1;
-      law.elastic    = elastic;
-      if (viscous)
-        law.branches = {{.3, .5}, {.2, 5.}};
-      return law;
+      return viscous ? test_rubber({{.3, .5}, {.2, 5.}}) : test_rubber();
     }
   } // namespace
 
@@ -149,22 +141,8 @@ namespace demold
     , mesh(std::make_unique<Mesh>(options.on_block))
   {
     const DoFHandler<2> &dofs = mesh->dofs;
-    IndexSet             relevant;
-    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    form = std::make_unique<WeakForm>(
-      DisplacementSpace{MPI_COMM_WORLD,
-                        dofs.locally_owned_dofs(),
-                        relevant,
-                        [&dofs](DynamicSparsityPattern          &pattern,
-                                const AffineConstraints<double> &constraints) {
-                          DoFTools::make_sparsity_pattern(
-                            dofs,
-                            pattern,
-                            constraints,
-                            false,
-                            Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-                        }},
-      supports(dofs, options));
+    form = std::make_unique<WeakForm>(displacement_space<2>(dofs),
+                                      supports(dofs, options));
 
     SolidDescription solid;
     const bool       viscous = options.viscous;

@@ -4,7 +4,9 @@
 #include "solid/finite_strain_solid.h"
 #include "solution/linear_solver.h"
 #include "solution/newton.h"
+#include "test_rubber.h"
 #include "weak_form/assembler.h"
+#include "weak_form/displacement_space.h"
 #include "weak_form/weak_form.h"
 
 #include <deal.II/base/mpi.h>
@@ -12,7 +14,6 @@
 #include <deal.II/distributed/shared_tria.h>
 
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
@@ -71,7 +72,7 @@ namespace
     }
 
     void
-    add_couplings(DynamicSparsityPattern &         pattern,
+    add_couplings(DynamicSparsityPattern          &pattern,
                   const AffineConstraints<double> &constraints) const override
     {
       if (mine())
@@ -82,14 +83,14 @@ namespace
     }
 
     bool assemble(const demold::Configuration &now,
-                  demold::Assembler &          assembler) override
+                  demold::Assembler           &assembler) override
     {
       if (!mine())
         return true;
       dealii::Vector<double> r(2);
       FullMatrix<double>     K(2, 2);
-      r(0) = now.u(multiplier);
-      r(1) = now.u(held) - value;
+      r(0)    = now.u(multiplier);
+      r(1)    = now.u(held) - value;
       K(0, 1) = K(1, 0) = 1.;
       if (assembler.with_tangent())
         assembler.add({held, multiplier}, r, K);
@@ -135,8 +136,10 @@ namespace
       , fe(FE_Q<2>(1), 2)
       , dofs(mesh)
     {
-      GridGenerator::subdivided_hyper_rectangle(
-        mesh, {4, 3}, Point<2>(0., 0.), Point<2>(4., 3.));
+      GridGenerator::subdivided_hyper_rectangle(mesh,
+                                                {4, 3},
+                                                Point<2>(0., 0.),
+                                                Point<2>(4., 3.));
       dofs.distribute_dofs(fe);
       for (const auto &cell : dofs.active_cell_iterators())
         for (const unsigned int v : cell->vertex_indices())
@@ -152,8 +155,6 @@ namespace
     std::unique_ptr<demold::WeakForm>
     weak_form(const bool corner_is_support) const
     {
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dofs, relevant);
       demold::Supports supports;
       supports.unknowns.assign(fixed.begin(), fixed.end());
       if (corner_is_support)
@@ -163,40 +164,21 @@ namespace
         for (std::size_t k = 0; k < values.size(); ++k)
           values[k] = k < n_fixed ? 0. : .3;
       };
-      auto form = std::make_unique<demold::WeakForm>(
-        demold::DisplacementSpace{MPI_COMM_WORLD,
-         dofs.locally_owned_dofs(),
-         relevant,
-         [this](DynamicSparsityPattern &         pattern,
-                const AffineConstraints<double> &constraints) {
-           DoFTools::make_sparsity_pattern(
-             dofs,
-             pattern,
-             constraints,
-             false,
-             Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-         }},
-        supports);
+      auto form =
+        std::make_unique<demold::WeakForm>(demold::displacement_space<2>(dofs),
+                                           supports);
       demold::SolidDescription description;
       description.element = "q1p0";
-      description.law     = [](const Point<3> &) {
-        demold::RubberLaw    law;
-        demold::MooneyRivlin elastic;
-        elastic.lambda = 50.;
-        elastic.mu1    = .4;
-        elastic.mu2    = .1;
-        law.elastic    = elastic;
-        return law;
-      };
+      description.law = [](const Point<3> &) { return demold::test_rubber(); };
       form->add(demold::make_solid_term<2>(dofs, description));
       return form;
     }
 
-    parallel::shared::Triangulation<2>  mesh;
-    FESystem<2>                         fe;
-    DoFHandler<2>                       dofs;
-    std::set<types::global_dof_index>   fixed;
-    types::global_dof_index             corner = 0;
+    parallel::shared::Triangulation<2> mesh;
+    FESystem<2>                        fe;
+    DoFHandler<2>                      dofs;
+    std::set<types::global_dof_index>  fixed;
+    types::global_dof_index            corner = 0;
   };
 
   void solve(demold::WeakForm &form)
@@ -225,23 +207,24 @@ namespace
 
 TEST(WeakForm, multiplier_of_a_term_equals_the_reaction_of_a_support)
 {
-  const Block      block;
-  const auto supported = block.weak_form(true);
+  const Block block;
+  const auto  supported = block.weak_form(true);
   supported->setup();
   solve(*supported);
 
   const auto with_multiplier = block.weak_form(false);
-  const bool       here = block.dofs.locally_owned_dofs().is_element(block.corner);
-  const unsigned int owner = Utilities::MPI::max(
-    here ? Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) : 0u,
-    MPI_COMM_WORLD);
+  const bool here = block.dofs.locally_owned_dofs().is_element(block.corner);
+  const unsigned int owner =
+    Utilities::MPI::max(here ?
+                          Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) :
+                          0u,
+                        MPI_COMM_WORLD);
   with_multiplier->add(std::make_unique<HeldUnknown>(block.corner, owner, .3));
   with_multiplier->setup();
   solve(*with_multiplier);
 
   const double reaction = entry(supported->force, block.corner);
-  const double lambda =
-    entry(with_multiplier->accepted, block.dofs.n_dofs());
+  const double lambda   = entry(with_multiplier->accepted, block.dofs.n_dofs());
   EXPECT_GT(reaction, .01);
   EXPECT_NEAR(lambda, -reaction, 1e-9 * reaction);
   for (types::global_dof_index i = 0; i < block.dofs.n_dofs(); ++i)

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// From the entry Solution/strategy to something that solves the scene.
+#include "scene/scene_strategy.h"
+
+#include "solid/lumped_mass.h"
+#include "solution/dynamics.h"
+#include "solution/quasi_static.h"
+
+#include <algorithm>
+
+namespace demold
+{
+  namespace
+  {
+    /// The entries of section Solution, with the scene's choice for those left
+    /// at zero.
+    IncrementParameters increments_of(const SceneParameters &parameters,
+                                      const double           end_time,
+                                      IncrementState        &state)
+    {
+      IncrementParameters increments = parameters.increments;
+      if (increments.largest <= 0.)
+        increments.largest = end_time / 50.;
+      if (increments.first <= 0.)
+        increments.first = std::min(increments.largest, end_time / 200.);
+      if (increments.smallest <= 0.)
+        increments.smallest = 1e-9 * end_time;
+      increments.state = &state;
+      return increments;
+    }
+
+    /// Errors of the displacement are judged by the gap over which a bond lets
+    /// go, or by the height of the rubber.
+    template <int dim>
+    Inertia &add_inertia(const Scene<dim>      &scene,
+                         const SceneParameters &parameters,
+                         SceneSystem<dim>      &system)
+    {
+      const auto  &adhesion = parameters.interface.adhesion;
+      const double length =
+        parameters.accuracy *
+        (adhesion.active() ? adhesion.rupture_gap : .1 * scene.height);
+      auto inertia =
+        std::make_unique<Inertia>(lumped_mass<dim>(system.dof_handler,
+                                                   parameters.plane(),
+                                                   parameters.material.density,
+                                                   system.weak_form->trial),
+                                  parameters.integrator,
+                                  length);
+      Inertia &term = *inertia;
+      system.weak_form->add(std::move(inertia));
+      return term;
+    }
+  } // namespace
+
+  template <int dim>
+  Strategy make_strategy(const Scene<dim>      &scene,
+                         const SceneParameters &parameters,
+                         SceneSystem<dim>      &system,
+                         NonlinearSolver       &newton,
+                         IncrementState        &state)
+  {
+    WeakForm                 &weak_form = *system.weak_form;
+    const double              end_time  = scene.end_time;
+    const IncrementParameters increments =
+      increments_of(parameters, end_time, state);
+    if (parameters.strategy == "dynamics")
+      {
+        Inertia &inertia = add_inertia(scene, parameters, system);
+        return [=, &parameters, &weak_form, &newton, &inertia](
+                 const OnAccept &on_accept) {
+          return run_dynamics(weak_form,
+                              newton,
+                              inertia,
+                              parameters.integrator,
+                              increments,
+                              end_time,
+                              on_accept);
+        };
+      }
+    return [=, &weak_form, &newton](const OnAccept &on_accept) {
+      return run_quasi_static(weak_form,
+                              newton,
+                              increments,
+                              end_time,
+                              on_accept);
+    };
+  }
+
+  template Strategy make_strategy<2>(const Scene<2> &,
+                                     const SceneParameters &,
+                                     SceneSystem<2> &,
+                                     NonlinearSolver &,
+                                     IncrementState &);
+  template Strategy make_strategy<3>(const Scene<3> &,
+                                     const SceneParameters &,
+                                     SceneSystem<3> &,
+                                     NonlinearSolver &,
+                                     IncrementState &);
+} // namespace demold
