@@ -202,6 +202,13 @@ namespace
                         make_mould(p.block, dim) :
                         read_rigid_surface(p.files.mould, dim);
       }
+    // In the press, heat comes through all that metal forms, and from behind.
+    scene.mould_side   = {Boundary::bottom,
+                          Boundary::wall,
+                          Boundary::sipe,
+                          Boundary::groove};
+    scene.bladder_side = {Boundary::backing};
+
     scene.motion    = p.pull.motion(dim);
     scene.opening   = [&p](const double t) { return p.pull.travel(t); };
     scene.direction = [&p](const double t) {

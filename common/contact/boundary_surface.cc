@@ -33,7 +33,7 @@ namespace demold
       add_face(const typename DoFHandler<dim, dim>::active_cell_iterator &cell,
                const unsigned int                                         face)
       {
-        const auto &fe = cell->get_fe();
+        const auto                          &fe = cell->get_fe();
         std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
         cell->get_dof_indices(indices);
 
@@ -46,28 +46,30 @@ namespace demold
           {
             if (!fe.has_support_on_face(i, face))
               continue;
-            const auto         unit      = fe.unit_support_point(i);
-            const unsigned int component = fe.system_to_component_index(i).first;
-            unsigned int       place = 0, stride = 1;
+            const auto         unit = fe.unit_support_point(i);
+            const unsigned int component =
+              fe.system_to_component_index(i).first;
+            unsigned int place = 0, stride = 1;
             for (unsigned int d = 0; d < dim; ++d)
               if (d != normal_direction)
                 {
-                  place += stride * static_cast<unsigned int>(
-                                      unit[d] * fe.degree + .5);
+                  place += stride *
+                           static_cast<unsigned int>(unit[d] * fe.degree + .5);
                   stride *= lattice.n;
                 }
             if (component == 0)
-              lattice.nodes[place] = node_of(
-                indices[i],
-                in_space(StaticMappingQ1<dim>::mapping.transform_unit_to_real_cell(
-                  cell, unit)));
+              lattice.nodes[place] =
+                node_of(indices[i],
+                        in_space(StaticMappingQ1<dim>::mapping
+                                   .transform_unit_to_real_cell(cell, unit)));
           }
         for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
           if (fe.has_support_on_face(i, face))
             {
               const auto component = fe.system_to_component_index(i);
               const auto first     = fe.component_to_system_index(
-                0, component.second); // same support point
+                0,
+                component.second); // same support point
               surface.nodes[number.at(indices[first])]
                 .unknowns[component.first] = indices[i];
             }
@@ -78,7 +80,7 @@ namespace demold
 
     private:
       unsigned int node_of(const types::global_dof_index first_unknown,
-                           const dealii::Point<3> &      X)
+                           const dealii::Point<3>       &X)
       {
         const auto found = number.find(first_unknown);
         if (found != number.end())
@@ -92,9 +94,9 @@ namespace demold
     };
 
     /// Turns a facet around if its normal points to @p inside.
-    void orient(Facet &                      facet,
+    void orient(Facet                                    &facet,
                 const std::vector<BoundarySurface::Node> &nodes,
-                const dealii::Point<3> &     inside)
+                const dealii::Point<3>                   &inside)
     {
       FacetPositions positions;
       positions.n_nodes = facet.n_nodes;
@@ -121,7 +123,7 @@ namespace demold
 
   template <int dim>
   BoundarySurface
-  extract_surface(const DoFHandler<dim, dim> &        dof_handler,
+  extract_surface(const DoFHandler<dim, dim>         &dof_handler,
                   const std::set<types::boundary_id> &boundary_ids)
   {
     SurfaceBuilder builder;
@@ -134,10 +136,13 @@ namespace demold
           const FaceLattice lattice = builder.add_face<dim>(cell, f);
           const double      height =
             cell->measure() / cell->face(f)->measure() / (lattice.n - 1);
+          if (lattice.n == 3)
+            builder.surface.quadratic_faces.push_back(lattice.nodes);
           for (unsigned int j = 0; j < (dim == 2 ? 1 : lattice.n - 1); ++j)
             for (unsigned int i = 0; i + 1 < lattice.n; ++i)
               {
-                const auto at = [&](const unsigned int a, const unsigned int b) {
+                const auto at = [&](const unsigned int a,
+                                    const unsigned int b) {
                   return lattice.nodes[a + b * lattice.n];
                 };
                 Facet facet;

@@ -35,6 +35,11 @@ namespace demold
     std::vector<Facet>  facets; ///< normals out of the rubber
     std::vector<double> height; ///< [mm] of the cell behind each facet
 
+    /// Quadratic elements: the 3^(dim-1) nodes of each face, line by line.
+    /// Its 2^(dim-1) facets follow each other. Empty for linear elements,
+    /// whose faces are the facets.
+    std::vector<std::vector<unsigned int>> quadratic_faces;
+
     /// Reference positions of all nodes.
     std::vector<dealii::Point<3>> positions() const;
   };
@@ -43,7 +48,7 @@ namespace demold
   /// cells.
   template <int dim>
   BoundarySurface
-  extract_surface(const dealii::DoFHandler<dim, dim> &            dof_handler,
+  extract_surface(const dealii::DoFHandler<dim, dim>         &dof_handler,
                   const std::set<dealii::types::boundary_id> &boundary_ids);
 } // namespace demold
 

@@ -78,7 +78,8 @@ namespace demold
                        const dealii::Point<3> &x) const;
 
     /// @p anchor moved by @p shift [mm] (plastic unloading, theory C.2).
-    Anchor shifted(const Anchor &anchor, const dealii::Tensor<1, 3> &shift) const;
+    Anchor shifted(const Anchor               &anchor,
+                   const dealii::Tensor<1, 3> &shift) const;
 
     AnchorPlace place(const Anchor &anchor) const;
 

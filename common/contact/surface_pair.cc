@@ -13,9 +13,6 @@ namespace demold
 
   namespace
   {
-    /// Cosine of 40 degrees: facets that meet more smoothly are one surface.
-    constexpr double smooth_cosine = .766;
-
     Point<3> current(const BoundarySurface::Node &node,
                      const Vector                &u,
                      const unsigned int           dim)

@@ -4,6 +4,7 @@
 
 #include "contact/node_to_segment.h"
 #include "scene/recorder.h"
+#include "scene/vulcanised_cure.h"
 #include "weak_form/weak_form.h"
 
 #include <deal.II/base/config.h>
@@ -29,6 +30,16 @@ namespace demold
       summary.set("reason",
                   account.was_stopped ? std::string("stopped by SIGTERM") :
                                         account.result.reason);
+    }
+
+    void set_cure(Summary &summary, const VulcanisedRange &cure)
+    {
+      summary.set("smallest f90 [-]", cure.smallest);
+      summary.set("mean f90 [-]", cure.mean);
+      summary.set("largest f90 [-]", cure.largest);
+      summary.set("points of clamped f90", cure.n_clamped);
+      summary.set("lowest temperature at the opening [degC]", cure.coldest);
+      summary.set("highest temperature at the opening [degC]", cure.hottest);
     }
 
     void set_counts(Summary &summary, const RunAccount &account)
@@ -98,6 +109,8 @@ namespace demold
     Summary summary;
     set_outcome(summary, account);
     account.recorder.summarise(summary);
+    if (account.cure != nullptr)
+      set_cure(summary, *account.cure);
     set_counts(summary, account);
     set_cost(summary, account, communicator);
     return summary;

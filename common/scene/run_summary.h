@@ -24,6 +24,7 @@ namespace demold
   class NodeToSegment;
   class Recorder;
   class WeakForm;
+  struct VulcanisedRange;
 
   /// What a run knows about itself when it ends.
   struct RunAccount
@@ -37,6 +38,7 @@ namespace demold
     const Recorder        &recorder;
     const WeakForm        &weak_form;
     const NodeToSegment   *interface; ///< may be null
+    const VulcanisedRange *cure;      ///< null: not computed
     const dealii::Timer   &timer;     ///< of the whole run
 
     RunStatus status() const;

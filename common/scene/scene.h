@@ -40,7 +40,7 @@ namespace demold
   /// A dead load per reference area.
   struct TractionRule
   {
-    dealii::types::boundary_id                   boundary;
+    dealii::types::boundary_id                  boundary;
     std::function<dealii::Tensor<1, 3>(double)> traction; ///< [MPa] of t [s]
   };
 
@@ -62,6 +62,10 @@ namespace demold
     RigidMotion                          motion;
     std::set<dealii::types::boundary_id> master;
 
+    /// What the mould and what the bladder touch in the press that cures the
+    /// rubber, for Material/cure = vulcanised. No heat passes elsewhere.
+    std::set<dealii::types::boundary_id> mould_side, bladder_side;
+
     /// Whole block over modelled part; results are of the whole.
     double symmetry_factor = 1.;
 
@@ -73,7 +77,7 @@ namespace demold
       boundary,
       supports
     };
-    ForceOn                     force_on       = ForceOn::mould;
+    ForceOn                    force_on       = ForceOn::mould;
     dealii::types::boundary_id force_boundary = 0;
 
     /// Travel of mould or grip [mm] and its direction at time t [s].

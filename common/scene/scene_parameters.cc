@@ -28,7 +28,33 @@ namespace demold
                       "free of volumetric locking; q2: biquadratic",
                       Patterns::Selection("q1|q1p0|q2"));
     material.add_parameters(prm);
+    prm.enter_subsection("Material");
+    prm.add_parameter("cure",
+                      cure_kind,
+                      "where f90 comes from: uniform or function, both from "
+                      "the entry f90, which alone decides for \"by f90\"; "
+                      "vulcanised: computed from sections Press and Cure",
+                      Patterns::Selection(
+                        "by f90|uniform|function|vulcanised"));
+    prm.leave_subsection();
+    press.add_parameters(prm);
+    cure.add_parameters(prm);
     interface.add_parameters(prm);
+    add_solution(prm);
+    prm.enter_subsection("Output");
+    prm.add_parameter("fields every",
+                      fields_every,
+                      "increments between ParaView files; 0: none [-]",
+                      Patterns::Integer(0));
+    prm.add_parameter("checkpoint every",
+                      checkpoint_every,
+                      "increments between checkpoints; 0: none [-]",
+                      Patterns::Integer(0));
+    prm.leave_subsection();
+  }
+
+  void SceneParameters::add_solution(ParameterHandler &prm)
+  {
     prm.enter_subsection("Solution");
     prm.add_parameter("strategy",
                       strategy,
@@ -46,21 +72,12 @@ namespace demold
     newton.add_parameters(prm);
     linear_solver.add_parameters(prm);
     prm.leave_subsection();
-    prm.enter_subsection("Output");
-    prm.add_parameter("fields every",
-                      fields_every,
-                      "increments between ParaView files; 0: none [-]",
-                      Patterns::Integer(0));
-    prm.add_parameter("checkpoint every",
-                      checkpoint_every,
-                      "increments between checkpoints; 0: none [-]",
-                      Patterns::Integer(0));
-    prm.leave_subsection();
   }
 
   void SceneParameters::check() const
   {
     material.check();
+    check_cure();
     interface.check();
     increments.check();
     linear_solver.check();
@@ -69,6 +86,24 @@ namespace demold
                          "must be positive for Solution/strategy = dynamics; "
                          "got " +
                            std::to_string(material.density) + " t/mm^3.");
+  }
+
+  void SceneParameters::check_cure() const
+  {
+    if (cure_kind == "uniform" && !material.f90_is_uniform())
+      throw ExcParameter("Material/cure",
+                         "must be function where Material/f90 is a formula; "
+                         "got uniform with f90 = " +
+                           material.f90_expression() + ".");
+    if (!vulcanised())
+      return;
+    if (dimension == "axisymmetric")
+      throw ExcParameter("Material/cure",
+                         "must be uniform or function for dimension = "
+                         "axisymmetric; got vulcanised, which conducts heat in "
+                         "a slice or in 3-D.");
+    press.check();
+    cure.check();
   }
 
   int SceneParameters::dim() const

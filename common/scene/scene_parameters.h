@@ -4,6 +4,8 @@
 #define demold_scene_scene_parameters_h
 
 #include "base/plane_model.h"
+#include "cure/cure_parameters.h"
+#include "cure/press_parameters.h"
 #include "material/rubber_model.h"
 #include "scene/interface_parameters.h"
 #include "solution/inertia.h"
@@ -24,6 +26,9 @@ namespace demold
     std::string element   = "q1p0";
 
     RubberModel            material;
+    std::string            cure_kind = "by f90"; ///< where f90 comes from
+    CureParameters         cure;                 ///< if vulcanised, as the next
+    PressParameters        press;
     InterfaceParameters    interface;
     std::string            strategy = "quasi-static";
     IncrementParameters    increments;
@@ -39,9 +44,19 @@ namespace demold
     void add_parameters(dealii::ParameterHandler &prm);
     void check() const;
 
+    /// Is f90 computed from a press cycle?
+    bool vulcanised() const
+    {
+      return cure_kind == "vulcanised";
+    }
+
     /// 2 or 3.
     int        dim() const;
     PlaneModel plane() const;
+
+  private:
+    void add_solution(dealii::ParameterHandler &prm);
+    void check_cure() const;
   };
 } // namespace demold
 

@@ -27,14 +27,27 @@ namespace demold
       return ids;
     }
 
+    /// f90 [-] of a reference position.
+    template <int dim>
+    std::function<double(const dealii::Point<3> &)>
+    state_of_cure(const SceneSystem<dim> &system, const RubberModel &rubber)
+    {
+      if (system.cure != nullptr)
+        return [&cure = *system.cure](const dealii::Point<3> &X) {
+          return cure.f90(X);
+        };
+      const auto formula =
+        std::make_shared<Expression>(rubber.f90_expression(), "Material/f90");
+      return [formula](const dealii::Point<3> &X) { return (*formula)(0., X); };
+    }
+
     template <int dim>
     void add_solids(SceneSystem<dim>      &system,
                     const Scene<dim>      &scene,
                     const SceneParameters &parameters)
     {
       const RubberModel &rubber = parameters.material;
-      const auto         f90 =
-        std::make_shared<Expression>(rubber.f90_expression(), "Material/f90");
+      const auto         f90    = state_of_cure(system, rubber);
       for (const auto id : material_ids(system.dof_handler))
         {
           SolidDescription description;
@@ -45,13 +58,12 @@ namespace demold
           const bool is_rubber    = other == scene.laws.end();
           if (is_rubber)
             {
-              description.uniform_law = rubber.f90_is_uniform();
+              description.uniform_law =
+                system.cure == nullptr && rubber.f90_is_uniform();
               description.law = [&rubber, f90](const dealii::Point<3> &X) {
-                return rubber.at((*f90)(0., X));
+                return rubber.at(f90(X));
               };
-              description.f90 = [f90](const dealii::Point<3> &X) {
-                return (*f90)(0., X);
-              };
+              description.f90 = f90;
             }
           else
             description.law = [law = other->second](const dealii::Point<3> &) {
@@ -128,6 +140,8 @@ namespace demold
       collect_supports(dof_handler, scene.supports));
     weak_form = std::make_unique<WeakForm>(displacement_space<dim>(dof_handler),
                                            supports->supports());
+    if (parameters.vulcanised())
+      cure = std::make_unique<const VulcanisedCure<dim>>(scene, parameters);
     add_solids(*this, scene, parameters);
     add_tractions(*this, scene, parameters);
     if (has_interface(scene, parameters))

@@ -7,6 +7,7 @@
 #include "scene/scene.h"
 #include "scene/scene_parameters.h"
 #include "scene/scene_supports.h"
+#include "scene/vulcanised_cure.h"
 #include "solid/cell_results.h"
 #include "weak_form/weak_form.h"
 
@@ -49,6 +50,7 @@ namespace demold
     std::vector<const CellResults *>             solids; ///< a view each
     std::vector<const CellResults *> rubber; ///< those of section Material
     NodeToSegment *interface = nullptr;      ///< null: nothing may touch
+    std::unique_ptr<const VulcanisedCure<dim>> cure; ///< null: by formula
   };
 } // namespace demold
 

@@ -42,6 +42,7 @@ namespace demold
 
     private:
       void      make_system();
+      void      show_cure();
       bool      accept(const IncrementRecord &record);
       bool      is_released(const Observation &now);
       void      write_checkpoint();
@@ -81,6 +82,21 @@ namespace demold
                                                   parameters,
                                                   *system,
                                                   context.output_folder);
+    }
+
+    template <int dim>
+    void Simulation<dim>::show_cure()
+    {
+      if (Utilities::MPI::this_mpi_process(communicator) != 0)
+        return;
+      const std::string warning = system->cure->warning();
+      if (!warning.empty())
+        recorder.note(warning);
+      if (parameters.fields_every == 0)
+        return;
+      const std::string problem = system->cure->write(context.output_folder);
+      if (!problem.empty())
+        recorder.note(problem);
     }
 
     template <int dim>
@@ -136,12 +152,12 @@ namespace demold
       RestartFile file(context.restart_folder, communicator);
       system->weak_form->load(file.stream());
       recorder.load(file.get());
-      const auto values       = file.get();
-      increment_state.dt      = values.at(0);
-      increment_state.last_dt = values.at(1);
-      increments              = static_cast<unsigned int>(values.at(2));
-      last_contact            = values.at(3);
-      newton->largest_force   = values.at(4);
+      const auto values        = file.get();
+      increment_state.dt       = values.at(0);
+      increment_state.last_dt  = values.at(1);
+      increments               = static_cast<unsigned int>(values.at(2));
+      last_contact             = values.at(3);
+      newton->largest_force    = values.at(4);
       increment_state.rejected = static_cast<unsigned int>(values.at(5));
       increment_state.newton_iterations =
         static_cast<unsigned int>(values.at(6));
@@ -169,6 +185,8 @@ namespace demold
                                   recorder,
                                   *system->weak_form,
                                   system->interface,
+                                  system->cure ? &system->cure->range() :
+                                                 nullptr,
                                   timer};
       const Summary    summary = summarise(account, communicator);
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -184,6 +202,8 @@ namespace demold
       if (on_reference_blas())
         recorder.note(blas_advice());
       make_system();
+      if (system->cure != nullptr)
+        show_cure();
       const bool is_restart = !context.restart_folder.empty();
       if (!is_restart)
         fields->write_first();

@@ -55,6 +55,16 @@ namespace demold
                            material.f90_range().second);
     }
 
+    std::string cure_text(const SceneParameters &parameters)
+    {
+      if (!parameters.vulcanised())
+        return "";
+      std::ostringstream text;
+      text << "  cure        computed from a press cycle of "
+           << parameters.press.cycle().opening_time << " s\n";
+      return text.str();
+    }
+
     template <int dim>
     std::string interface_text(const Scene<dim>          &scene,
                                const InterfaceParameters &interface)
@@ -128,9 +138,9 @@ namespace demold
          << mesh.n_active_cells() << " cells, about "
          << static_cast<long>(unknowns) << " unknowns, " << law.branches.size()
          << " Maxwell branches\n"
-         << interface_text(scene, parameters.interface) << "  strategy    "
-         << parameters.strategy << " until " << scene.end_time
-         << " s at the latest\n"
+         << cure_text(parameters) << interface_text(scene, parameters.interface)
+         << "  strategy    " << parameters.strategy << " until "
+         << scene.end_time << " s at the latest\n"
          << memory_text(history, unknowns, dim)
          << stability_text(scene, parameters.interface, law, mesh);
     return text.str();

@@ -95,6 +95,16 @@ namespace demold
     return verdict;
   }
 
+  namespace
+  {
+    bool has_state_changes(const NewtonReport &report)
+    {
+      return std::any_of(report.state_changes.begin(),
+                         report.state_changes.end(),
+                         [](const auto n) { return n > 0; });
+    }
+  } // namespace
+
   StrategyResult run_increments(WeakForm &                 weak_form,
                                 NonlinearSolver &                   newton,
                                 const IncrementParameters &parameters,
@@ -161,7 +171,8 @@ namespace demold
         weak_form.accept();
         hooks.after_accept();
         ++result.increments;
-        last_dt = step;
+        // Where surfaces meet first, the increment says little of the next.
+        last_dt = start == 0. && has_state_changes(report) ? 0. : step;
         if (report.iterations <= parameters.easy)
           dt = step * std::min(parameters.growth, verdict.factor);
         else

@@ -49,9 +49,9 @@ namespace demold
       }
     list.set("aggregation: type", "Uncoupled");
     list.set("smoother: type", "Chebyshev");
-    // One sweep is as fast on a body of its own; where a stiff penalty joins
-    // two bodies, two need half the iterations and fewer hierarchies.
-    list.set("smoother: sweeps", 2);
+    // On a body of its own one is as fast; where a stiff penalty joins two
+    // bodies, three need half the iterations and fewer hierarchies.
+    list.set("smoother: sweeps", 3);
     list.set("smoother: pre or post", "both");
     list.set("coarse: type", "Amesos-KLU");
     // 5 iterations are enough, 4 treble the Krylov iterations.

@@ -22,12 +22,12 @@ namespace demold
   } // namespace
 
   Newton::Newton(const NewtonParameters &parameters,
-                 LinearSolver &          linear_solver)
+                 LinearSolver           &linear_solver)
     : parameters(parameters)
     , linear_solver(linear_solver)
   {}
 
-  bool Newton::assemble(WeakForm &    weak_form,
+  bool Newton::assemble(WeakForm     &weak_form,
                         const bool    tangent,
                         NewtonReport &report)
   {
@@ -47,13 +47,11 @@ namespace demold
         weak_form.matrix.linfty_norm() *
         (1e-14 * norms.extra_scale +
          1e-15 * std::sqrt(static_cast<double>(weak_form.n_unknowns())));
-    const double scale =
-      std::max({norms.scale, 1e-4 * largest_force, 1e-300});
-    double       residual =
-      std::max(norms.free - round_off, 0.) / scale;
+    const double scale = std::max({norms.scale, 1e-4 * largest_force, 1e-300});
+    double       residual = std::max(norms.free - round_off, 0.) / scale;
     if (weak_form.has_extra_unknowns())
-      residual = std::max(residual,
-                          norms.extra / std::max(norms.extra_scale, 1e-300));
+      residual =
+        std::max(residual, norms.extra / std::max(norms.extra_scale, 1e-300));
     report.residuals.push_back(residual);
     report.state_changes.push_back(weak_form.n_state_changes());
     if (!std::isfinite(residual))
@@ -71,20 +69,25 @@ namespace demold
   }
 
   /// How exact a linear solution must be (Eisenstat and Walker 1996, choice
-  /// 2): the last digits of an early correction would be thrown away.
+  /// 2): the last digits of an early correction would be thrown away. But not
+  /// of the first: what the supports impose sits in few rows, and half solved
+  /// it turns the elements beside them inside out.
   double Newton::forcing_term(const NewtonReport &report) const
   {
-    const auto & r = report.residuals;
+    const auto &r = report.residuals;
+    if (r.size() == 1)
+      return 1e-3;
     const double aim =
       .1 * parameters.residual_tolerance / std::max(r.back(), 1e-300);
     double eta = 1e-2;
-    if (r.size() > 1 && r[r.size() - 2] > 0.)
+    if (r[r.size() - 2] > 0.)
       eta = .9 * std::pow(r.back() / r[r.size() - 2], 2);
     return std::min(1e-2, std::max({eta, aim, 1e-8}));
   }
 
-  void
-  Newton::search_line(WeakForm &weak_form, const Vector &du, NewtonReport &report)
+  void Newton::search_line(WeakForm     &weak_form,
+                           const Vector &du,
+                           NewtonReport &report)
   {
     const double before = report.residuals.back();
     double       factor = 1.;
@@ -122,14 +125,15 @@ namespace demold
           }
         if (pattern_number != weak_form.pattern_number())
           linear_solver.forget();
-        pattern_number     = weak_form.pattern_number();
-        correction         = 0.;
-        const auto outcome = linear_solver.solve(weak_form.matrix,
-                                                 correction,
-                                                 weak_form.right_hand_side,
-                                                 forcing_term(report),
-                                                 weak_form.symmetric(),
-                                                 weak_form.has_extra_unknowns());
+        pattern_number = weak_form.pattern_number();
+        correction     = 0.;
+        const auto outcome =
+          linear_solver.solve(weak_form.matrix,
+                              correction,
+                              weak_form.right_hand_side,
+                              forcing_term(report),
+                              weak_form.symmetric(),
+                              weak_form.has_extra_unknowns());
         if (outcome == LinearSolver::Outcome::singular)
           {
             report.reason = "the tangent is singular";
@@ -145,10 +149,9 @@ namespace demold
 
         // Quadratic convergence: after a small residual the next one will
         // do, so that only the residual is asked for.
-        const bool almost =
-          report.iterations > 1 &&
-          report.residuals.back() <
-            .1 * std::sqrt(parameters.residual_tolerance);
+        const bool almost = report.iterations > 1 &&
+                            report.residuals.back() <
+                              .1 * std::sqrt(parameters.residual_tolerance);
         if (!assemble(weak_form, !almost, report))
           return report;
         if (has_converged(report))

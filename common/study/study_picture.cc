@@ -22,6 +22,9 @@ namespace demold
 
     using Curve = std::vector<Mark>;
 
+    /// Labels at the points of more series would cover each other.
+    constexpr std::size_t most_labelled = 4;
+
     /// A text as gnuplot reads it between single quotes.
     std::string quoted(const std::string &text)
     {
@@ -74,14 +77,15 @@ namespace demold
       script.precision(15);
       script << plot_head("error-over-cpu-time", study.title)
              << "set logscale xy\n"
-             << "set format y '%.0e'\n"
+             << "set format y '%.0e'\nset format x '%g'\n"
              << "set offsets graph 0.08, graph 0.08, graph 0.05, graph 0.05\n"
              << "set xlabel 'CPU time [s]'\n"
              << "set ylabel "
              << quoted(study.compare.error_heading() + " of " +
                        study.compare.quantity)
-             << "\nset key below\n";
+             << "\nset key below font ',12'\n";
 
+      const bool   has_labels = all_series.size() <= most_labelled;
       Curve        front;
       unsigned int n = 0;
       for (const Series &series : all_series)
@@ -106,9 +110,11 @@ namespace demold
           put_block(script, block, curve);
           plot << "$" << block << " using 1:2 with linespoints linetype " << n
                << " pointtype 7 title " << quoted(key_of(series))
-               << ", \\\n     $" << block
-               << " using 1:2:3 with labels offset 0,0.8 font ',10' notitle, "
-                  "\\\n     ";
+               << ", \\\n     ";
+          if (has_labels)
+            plot << "$" << block
+                 << " using 1:2:3 with labels offset 0,0.8 font ',10' notitle, "
+                    "\\\n     ";
         }
       if (n == 0)
         return {};
@@ -138,8 +144,9 @@ namespace demold
              << quoted(sweeps[study.refined()].heading()) << "\nset ylabel "
              << quoted(study.compare.quantity)
              << "\nset offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n"
-             << "set key below\n";
-      unsigned int n = 0;
+             << "set key below font ',12'\n";
+      const unsigned int marks[] = {7, 4, 8}; // disc, square, triangle
+      unsigned int       n       = 0;
       for (const Series &series : all_series)
         {
           Curve curve;
@@ -154,9 +161,11 @@ namespace demold
             continue;
           const std::string block = "series" + std::to_string(++n);
           put_block(script, block, curve);
+          // Curves may coincide: dashes and open marks let both be seen.
           plot << (n == 1 ? "" : ", \\\n     ") << "$" << block
-               << " using 1:2 with linespoints linetype " << n
-               << " pointtype 7 title " << quoted(series.name);
+               << " using 1:2 with linespoints linetype " << n << " dashtype "
+               << (n - 1) % 3 + 1 << " pointtype " << marks[(n - 1) % 3]
+               << " title " << quoted(series.name);
         }
       if (n == 0)
         return {};

@@ -68,8 +68,10 @@ namespace demold
       std::size_t k = 0;
       for (const auto &key : split_list(study.compare.also, ';'))
         {
-          add(key,
-              [k](const StudyRun &run) { return number_or_text(run.also[k]); });
+          if (key != study.compare.quantity)
+            add(key, [k](const StudyRun &run) {
+              return number_or_text(run.also[k]);
+            });
           ++k;
         }
       if (is_compared(study))
@@ -128,27 +130,32 @@ namespace demold
 
 
 
-    /// A word that all rows have in common says nothing in a table for people.
-    bool is_worth_showing(const Column &column)
+    /// What all rows that ended well have in common says nothing in a table
+    /// for people.
+    bool is_worth_showing(const Column &column, const bool all_completed)
     {
+      const Value &first = column.cells.front();
       return column.heading != "folder" &&
              (column.heading != "reason" ||
+              (!all_completed && first != Value(std::string())) ||
               std::any_of(column.cells.begin(),
                           column.cells.end(),
-                          [](const Value &v) {
-                            return v != Value(std::string());
-                          }));
+                          [&](const Value &v) { return v != first; }));
     }
 
 
 
-    std::string markdown_table(const std::vector<Column> &all)
+    std::string markdown_table(const std::vector<Column>   &all,
+                               const std::vector<StudyRun> &runs)
     {
+      const bool all_completed =
+        std::all_of(runs.begin(), runs.end(), [](const StudyRun &run) {
+          return run.completed;
+        });
       std::vector<Column> shown;
-      std::copy_if(all.begin(),
-                   all.end(),
-                   std::back_inserter(shown),
-                   is_worth_showing);
+      for (const Column &column : all)
+        if (is_worth_showing(column, all_completed))
+          shown.push_back(column);
       std::ostringstream text;
       for (const Column &column : shown)
         text << "| " << cell_text(Value(column.heading), "") << ' ';
@@ -256,7 +263,7 @@ namespace demold
          << std::filesystem::path(study.scene).filename().string()
          << (study.settings.empty() ? "" : ", with " + study.settings)
          << ". CPU time without start-up, one core.\n\n"
-         << markdown_table(columns(study, runs)) << '\n';
+         << markdown_table(columns(study, runs), runs) << '\n';
     put_findings(text, study, runs, all_series);
     if (!picture.empty())
       text << "\n![" << study.title << "](" << picture << ")\n";

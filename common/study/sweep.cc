@@ -7,11 +7,12 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace demold
@@ -29,13 +30,45 @@ namespace demold
 
 
 
-    std::size_t position_of(const std::vector<Sweep> &sweeps,
-                            const std::string        &section)
+    /// Values of some sweeps: position of the sweep, value.
+    using Row = std::map<std::size_t, std::string>;
+
+    /// What an unpaired sweep and those paired with it take, one after another.
+    std::vector<Row> rows_of(const std::vector<Sweep> &sweeps,
+                             const std::size_t         lead)
     {
-      std::size_t i = 0;
-      while (i < sweeps.size() && sweeps[i].section != section)
-        ++i;
-      return i;
+      const auto       values = sweeps[lead].values();
+      std::vector<Row> rows(values.size());
+      for (std::size_t v = 0; v < values.size(); ++v)
+        rows[v][lead] = values[v];
+
+      std::string companions;
+      for (std::size_t p = 0; p < sweeps.size(); ++p)
+        if (sweeps[p].paired_with > 0 &&
+            sweeps[lead].section ==
+              "Sweep " + std::to_string(sweeps[p].paired_with))
+          {
+            const auto partners = sweeps[p].values();
+            if (partners.size() != values.size())
+              throw ExcParameter(sweeps[p].section + "/values",
+                                 "must be as many as those of " +
+                                   sweeps[lead].section + ", which are " +
+                                   std::to_string(values.size()) + "; got " +
+                                   std::to_string(partners.size()) + ".");
+            for (std::size_t v = 0; v < values.size(); ++v)
+              rows[v][p] = partners[v];
+            companions +=
+              (companions.empty() ? ", each time with the same of " : " and ") +
+              sweeps[p].section;
+          }
+
+      std::set<Row> seen;
+      for (const Row &row : rows)
+        if (!seen.insert(row).second)
+          throw ExcParameter(sweeps[lead].section + "/values",
+                             "must make runs that differ; got \"" +
+                               row.at(lead) + "\" twice" + companions + ".");
+      return rows;
     }
   } // namespace
 
@@ -127,16 +160,9 @@ namespace demold
     if (list.find('#') != std::string::npos)
       throw ExcParameter(section + "/values", "cannot contain \"#\".");
 
-    auto sorted = values();
-    if (sorted.empty())
+    if (values().empty())
       throw ExcParameter(section + "/values",
                          "needs at least one value; got \"" + list + "\".");
-    std::sort(sorted.begin(), sorted.end());
-    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-    if (twice != sorted.end() && paired_with == 0)
-      throw ExcParameter(section + "/values",
-                         "must differ from each other; got \"" + *twice +
-                           "\" twice.");
   }
 
 
@@ -195,26 +221,12 @@ namespace demold
       if (sweeps[s].paired_with == 0)
         {
           std::vector<Combination> longer;
-          const auto               values = sweeps[s].values();
+          const auto               rows = rows_of(sweeps, s);
           for (auto combination : list)
-            for (std::size_t v = 0; v < values.size(); ++v)
+            for (const Row &row : rows)
               {
-                combination[s] = values[v];
-                for (std::size_t p = 0; p < sweeps.size(); ++p)
-                  if (sweeps[p].paired_with > 0 &&
-                      position_of(sweeps,
-                                  "Sweep " +
-                                    std::to_string(sweeps[p].paired_with)) == s)
-                    {
-                      const auto partners = sweeps[p].values();
-                      if (partners.size() != values.size())
-                        throw ExcParameter(
-                          sweeps[p].section + "/values",
-                          "must be as many as those of " + sweeps[s].section +
-                            ", which are " + std::to_string(values.size()) +
-                            "; got " + std::to_string(partners.size()) + ".");
-                      combination[p] = partners[v];
-                    }
+                for (const auto &[position, value] : row)
+                  combination[position] = value;
                 longer.push_back(combination);
               }
           list = longer;

@@ -58,7 +58,8 @@ namespace demold
 
   /// All combinations of the values of @p sweeps, the last sweep varying
   /// fastest; a sweep paired with another takes its values in step with it.
-  /// Throws ExcParameter if paired lists differ in length.
+  /// A value may come again where a paired one differs. Throws ExcParameter if
+  /// paired lists differ in length or a run would be made twice.
   std::vector<Combination> combinations(const std::vector<Sweep> &sweeps);
 
   /// "fine size = 0.1, element = q2".

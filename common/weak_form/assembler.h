@@ -4,6 +4,7 @@
 #define demold_weak_form_assembler_h
 
 #include "weak_form/algebra.h"
+#include "weak_form/matrix_inserter.h"
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
@@ -66,23 +67,7 @@ namespace demold
 
     void add(const Indices &                   indices,
              const dealii::Vector<double> &    r,
-             const dealii::FullMatrix<double> &K) override
-    {
-      residual.add(indices, r);
-      scaled = K;
-      if (weight != 1.)
-        scaled *= weight;
-      if (inhomogeneous)
-        {
-          // Only the elimination of prescribed increments lands here; the
-          // residual itself is added by the weak form.
-          zero.reinit(indices.size());
-          constraints.distribute_local_to_global(
-            scaled, zero, indices, *matrix, right_hand_side, true);
-        }
-      else
-        constraints.distribute_local_to_global(scaled, indices, *matrix);
-    }
+             const dealii::FullMatrix<double> &K) override;
 
     /// Factor on the tangents that follow.
     double weight = 1.;
@@ -93,6 +78,7 @@ namespace demold
     Vector &                                 right_hand_side;
     SparseMatrix *                           matrix;
     const bool                               inhomogeneous;
+    MatrixInserter                           inserter;
     dealii::FullMatrix<double>               scaled;
     dealii::Vector<double>                   zero;
   };

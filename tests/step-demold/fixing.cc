@@ -78,8 +78,13 @@ namespace demold
     layered.push_back("Rubber base/bulk modulus=" + std::to_string(K));
     const SceneRun a = run_demold("slice.prm", thicker),
                    b = run_demold("slice.prm", layered);
-    for (const char *const key : {"peak force [N]", "work of demolding [mJ]"})
-      EXPECT_NEAR(a.number(key), b.number(key), 1e-4 * a.number(key)) << key;
+    // Round-off chooses other increments, and the work is a sum over them.
+    EXPECT_NEAR(a.number("peak force [N]"),
+                b.number("peak force [N]"),
+                1e-4 * a.number("peak force [N]"));
+    EXPECT_NEAR(a.number("work of demolding [mJ]"),
+                b.number("work of demolding [mJ]"),
+                1e-3 * a.number("work of demolding [mJ]"));
   }
 
   // Cords are 10^4 times as stiff as rubber and a hundredth of that when they

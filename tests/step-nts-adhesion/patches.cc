@@ -95,6 +95,14 @@ namespace demold
     EXPECT_NEAR(run.number("stored energy [mJ]"), energy, 1e-4 * energy);
   }
 
+  TEST(ContactPatch, is_exact_with_quadratic_elements_where_the_meshes_match)
+  {
+    const SceneRun run =
+      run_nts("contact-patch.prm",
+              {"element=q2", "Body/cells=3, 3, 2", "Base/cells=3, 3, 2"});
+    EXPECT_LT(deviation(run.interface, nominal).largest, 1e-6);
+  }
+
   TEST(AdhesionPatch, carries_the_force_exactly_and_misses_the_gap)
   {
     const SceneRun  run = run_nts("adhesion-patch.prm");

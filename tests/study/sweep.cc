@@ -100,6 +100,27 @@ namespace demold
       EXPECT_EQ(run[2], run[0] + "0");
   }
 
+  TEST(Combinations, a_value_may_come_again_with_another_partner)
+  {
+    Sweep partner       = listed(2, "b", "x, y, x");
+    partner.paired_with = 1;
+    const auto runs     = combinations({listed(1, "a", "1, 1, 2"), partner});
+    EXPECT_EQ(runs,
+              (std::vector<Combination>{{"1", "x"}, {"1", "y"}, {"2", "x"}}));
+  }
+
+  TEST(Combinations, refuse_to_make_a_run_twice)
+  {
+    Sweep partner       = listed(2, "b", "x, y, x");
+    partner.paired_with = 1;
+    const auto message  = message_of<ExcParameter>([&]() {
+      combinations({listed(1, "a", "1, 1, 1"), partner});
+    });
+    EXPECT_TRUE(contains(message, "Sweep 1/values")) << message;
+    EXPECT_TRUE(contains(message, "\"1\" twice")) << message;
+    EXPECT_TRUE(contains(message, "same of Sweep 2")) << message;
+  }
+
   TEST(Combinations, paired_lists_must_be_equally_long)
   {
     Sweep partner       = listed(2, "b", "10, 20, 30");
