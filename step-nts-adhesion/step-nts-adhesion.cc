@@ -219,9 +219,10 @@ namespace
     prm.add_parameter("traction boundary",
                       traction_boundary,
                       "boundary with a dead load; empty: none");
-    prm.add_parameter("traction",
-                      traction,
-                      "dead load per reference area, three formulas in t [MPa]");
+    prm.add_parameter(
+      "traction",
+      traction,
+      "dead load per reference area, three formulas in t [MPa]");
     prm.leave_subsection();
     prm.enter_subsection("Process");
     prm.add_parameter("moved by",
@@ -259,10 +260,10 @@ namespace
 
   // "top xy, left x" becomes one rule per component.
   template <int dim>
-  void add_supports(const std::string &        list,
-                    const std::string &        path,
-                    const Parameters *         motion,
-                    std::vector<SupportRule> & rules)
+  void add_supports(const std::string        &list,
+                    const std::string        &path,
+                    const Parameters         *motion,
+                    std::vector<SupportRule> &rules)
   {
     for (const auto &item : dealii::Utilities::split_string_list(list, ','))
       {
@@ -289,8 +290,10 @@ namespace
               rule.boundary = boundary_id(name, path);
             if (motion != nullptr)
               {
-                const auto formula = std::make_shared<Expression>(
-                  motion->motion[d], std::string("Supports/motion ") + c);
+                const auto formula =
+                  std::make_shared<Expression>(motion->motion[d],
+                                               std::string("Supports/motion ") +
+                                                 c);
                 rule.value = [formula](const double t, const Point<3> &X) {
                   return (*formula)(t, X);
                 };
@@ -329,10 +332,9 @@ namespace
   template <int dim>
   RigidSurface make_mould(const Parameters &p)
   {
-    const auto facets =
-      numbers<double>(p.mould_facets,
-                      p.mould_shape == "plane" ? dim - 1 : 1,
-                      "Mould/facets");
+    const auto facets = numbers<double>(p.mould_facets,
+                                        p.mould_shape == "plane" ? dim - 1 : 1,
+                                        "Mould/facets");
     if (p.mould_shape == "plane")
       {
         const auto from = numbers<double>(p.mould_from, dim - 1, "Mould/from");
@@ -370,7 +372,7 @@ namespace
   }
 
   template <int dim>
-  void make_mesh(const Parameters &               p,
+  void make_mesh(const Parameters                &p,
                  dealii::Triangulation<dim, dim> &triangulation)
   {
     if (p.shape == "half cylinder")
@@ -438,15 +440,15 @@ namespace
       {
         const auto travel =
           std::make_shared<Expression>(p.opening, "Process/opening");
-        scene.motion    = [](double) { return RigidPlacement(); };
-        scene.opening   = [travel](const double t) { return (*travel)(t); };
+        scene.motion  = [](double) { return RigidPlacement(); };
+        scene.opening = [travel](const double t) { return (*travel)(t); };
         // A mould at rest feels the grip's force, not the one it exerts.
-        const auto along = vector_of_time(p.direction, "Process/direction");
-        const double sign = scene.force_on == ForceOn::mould ? -1. : 1.;
-        scene.direction   = [along, sign](const double t) {
+        const auto   along = vector_of_time(p.direction, "Process/direction");
+        const double sign  = scene.force_on == ForceOn::mould ? -1. : 1.;
+        scene.direction    = [along, sign](const double t) {
           return sign * along(t);
         };
-        scene.end_time  = p.end_time;
+        scene.end_time = p.end_time;
       }
     return scene;
   }

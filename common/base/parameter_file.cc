@@ -69,10 +69,9 @@ namespace demold
                            const fs::path    &parameter_file)
     {
       const std::string ending = "file";
-      const bool names_file = name.size() >= ending.size() &&
-                              name.compare(name.size() - ending.size(),
-                                           ending.size(),
-                                           ending) == 0;
+      const bool        names_file =
+        name.size() >= ending.size() &&
+        name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
       if (!names_file || value.empty() || fs::path(value).is_absolute())
         return value;
       const fs::path beside = parameter_file.parent_path() / value;
@@ -100,8 +99,7 @@ namespace demold
           path.push_back(single_spaced(rest.substr(0, equals)));
           const std::string value =
             file_value(path.back(), trimmed(rest.substr(equals + 1)), file);
-          reading.statements.push_back(
-            {Statement::entry, path, value, origin});
+          reading.statements.push_back({Statement::entry, path, value, origin});
         }
       else if (word == "subsection" || word == "SUBSECTION")
         {

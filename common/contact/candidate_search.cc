@@ -21,8 +21,7 @@ namespace demold
     using Entry = std::pair<Box, unsigned int>;
 
     /// Box around a facet, @p margin [mm] wider on every side.
-    Box
-    inflated_box(const FacetPositions &facet, double margin)
+    Box inflated_box(const FacetPositions &facet, double margin)
     {
       Point<3> low = facet.x[0], high = facet.x[0];
       for (unsigned int i = 1; i < facet.n_nodes; ++i)
@@ -38,10 +37,9 @@ namespace demold
               {high[0] + margin, high[1] + margin, high[2] + margin}};
     }
 
-    bool
-    has_moved(const std::vector<Point<3>> &now,
-              const std::vector<Point<3>> &then,
-              const double                 distance)
+    bool has_moved(const std::vector<Point<3>> &now,
+                   const std::vector<Point<3>> &then,
+                   const double                 distance)
     {
       if (now.size() != then.size())
         return true;
@@ -58,17 +56,15 @@ namespace demold
     , skin(skin)
   {}
 
-  bool
-  CandidateSearch::is_outdated(const ContactSurface        &master,
-                               const std::vector<Point<3>> &slaves) const
+  bool CandidateSearch::is_outdated(const ContactSurface        &master,
+                                    const std::vector<Point<3>> &slaves) const
   {
     return !is_built || has_moved(slaves, old_slaves, 0.5 * skin) ||
            has_moved(master.positions(), old_master, 0.5 * skin);
   }
 
-  void
-  CandidateSearch::rebuild(const ContactSurface        &master,
-                           const std::vector<Point<3>> &slaves)
+  void CandidateSearch::rebuild(const ContactSurface        &master,
+                                const std::vector<Point<3>> &slaves)
   {
     std::vector<Entry> boxes;
     boxes.reserve(master.n_facets());

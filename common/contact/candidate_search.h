@@ -21,19 +21,16 @@ namespace demold
 
     /// Are the lists missing, or has a node moved by more than half the skin?
     /// Each rank answers for its own slave nodes; rebuild on all if on any.
-    bool
-    is_outdated(const ContactSurface                &master,
-                const std::vector<dealii::Point<3>> &slaves) const;
+    bool is_outdated(const ContactSurface                &master,
+                     const std::vector<dealii::Point<3>> &slaves) const;
 
     /// Finds the candidates of all @p slaves [mm] anew. Every facet within
     /// reach + skin of a slave node is found, some farther ones too.
-    void
-    rebuild(const ContactSurface                &master,
-            const std::vector<dealii::Point<3>> &slaves);
+    void rebuild(const ContactSurface                &master,
+                 const std::vector<dealii::Point<3>> &slaves);
 
     /// Facet numbers for slave node @p slave, ascending.
-    const std::vector<unsigned int> &
-    candidates(const unsigned int slave) const
+    const std::vector<unsigned int> &candidates(const unsigned int slave) const
     {
       return facets[slave];
     }

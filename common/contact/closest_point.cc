@@ -24,30 +24,26 @@ namespace demold
       const unsigned int               last_facet;
       const ContactLimits             &limits;
 
-      bool
-      opposes(const Tensor<1, 3> &master_normal) const
+      bool opposes(const Tensor<1, 3> &master_normal) const
       {
         return normal * master_normal < opposed_normals;
       }
 
-      double
-      reach() const
+      double reach() const
       {
         return std::max(limits.depth, limits.search_distance);
       }
 
-      bool
-      admits(const double gap) const
+      bool admits(const double gap) const
       {
         return -limits.depth <= gap && gap <= limits.search_distance;
       }
     };
 
     /// Is the foot on the facet, or just off a free end?
-    bool
-    is_inside(const FacetCoordinates &xi,
-              const unsigned int      f,
-              const ContactSurface   &surface)
+    bool is_inside(const FacetCoordinates &xi,
+                   const unsigned int      f,
+                   const ContactSurface   &surface)
     {
       const bool is_line = surface.facet(f).n_nodes == 2;
       // Edge that xi[a] passes on its negative and positive side.
@@ -65,10 +61,9 @@ namespace demold
       return true;
     }
 
-    ContactPoint
-    face_contact(const unsigned int    f,
-                 const Projection     &foot,
-                 const ContactSurface &surface)
+    ContactPoint face_contact(const unsigned int    f,
+                              const Projection     &foot,
+                              const ContactSurface &surface)
     {
       ContactPoint point;
       point.kind        = ContactCase::face;
@@ -81,8 +76,7 @@ namespace demold
       return point;
     }
 
-    std::optional<ContactPoint>
-    nearest_face(const Query &query)
+    std::optional<ContactPoint> nearest_face(const Query &query)
     {
       std::vector<ContactPoint> faces;
       double                    bound = std::numeric_limits<double>::max();
@@ -113,19 +107,18 @@ namespace demold
     }
 
     /// @p number of the edge or of the vertex.
-    ContactPoint
-    border_contact(const ContactCase     kind,
-                   const unsigned int    number,
-                   const BorderFoot     &foot,
-                   const ContactSurface &surface)
+    ContactPoint border_contact(const ContactCase     kind,
+                                const unsigned int    number,
+                                const BorderFoot     &foot,
+                                const ContactSurface &surface)
     {
       const bool   is_edge = kind == ContactCase::edge;
-      const auto   nodes   = is_edge ? surface.edges()[number].nodes
-                                     : std::array<unsigned int, 2>{{number, 0}};
+      const auto   nodes   = is_edge ? surface.edges()[number].nodes :
+                                       std::array<unsigned int, 2>{{number, 0}};
       ContactPoint point;
       point.kind        = kind;
-      point.facet       = is_edge ? surface.edges()[number].facets.front()
-                                  : surface.facets_at_node(number).front();
+      point.facet       = is_edge ? surface.edges()[number].facets.front() :
+                                    surface.facets_at_node(number).front();
       point.edge        = is_edge ? number : 0;
       point.n_nodes     = is_edge ? 2 : 1;
       point.nodes       = {{nodes[0], nodes[1], 0, 0}};
@@ -137,8 +130,7 @@ namespace demold
 
     /// The nearest admissible shared edge or interior vertex of the
     /// candidates that is nearer than @p reach [mm].
-    std::optional<ContactPoint>
-    nearest_border(const Query &query, double reach)
+    std::optional<ContactPoint> nearest_border(const Query &query, double reach)
     {
       std::optional<ContactPoint> best;
       const ContactSurface       &surface  = query.surface;
@@ -200,14 +192,15 @@ namespace demold
     return border;
   }
 
-  std::optional<ContactPoint>
-  project_again(const ContactPoint   &old,
-                const Point<3>       &x_s,
-                const ContactSurface &surface)
+  std::optional<ContactPoint> project_again(const ContactPoint   &old,
+                                            const Point<3>       &x_s,
+                                            const ContactSurface &surface)
   {
     if (old.kind == ContactCase::edge)
-      return border_contact(
-        old.kind, old.edge, surface.edge_foot(old.edge, x_s, {}), surface);
+      return border_contact(old.kind,
+                            old.edge,
+                            surface.edge_foot(old.edge, x_s, {}),
+                            surface);
     if (old.kind == ContactCase::vertex)
       return border_contact(old.kind,
                             old.nodes[0],

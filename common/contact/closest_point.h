@@ -26,8 +26,8 @@ namespace demold
   /// facet. Steps follow descent of the distance, so that the foot is a
   /// nearest, never a farthest point. Not found: no convergence in 20
   /// iterations, a foot beyond |xi| = 10, or a facet without area.
-  Projection
-  project(const dealii::Point<3> &point, const FacetPositions &facet);
+  Projection project(const dealii::Point<3> &point,
+                     const FacetPositions   &facet);
 
   /// On what the closest point lies.
   enum class ContactCase
@@ -89,10 +89,9 @@ namespace demold
   /// Projects again onto the same face, edge or vertex after something has
   /// moved, without asking whether the foot is inside or another pairing is
   /// better: for frozen pairings. Empty if the projection fails.
-  std::optional<ContactPoint>
-  project_again(const ContactPoint     &old,
-                const dealii::Point<3> &x_s,
-                const ContactSurface   &surface);
+  std::optional<ContactPoint> project_again(const ContactPoint     &old,
+                                            const dealii::Point<3> &x_s,
+                                            const ContactSurface   &surface);
 } // namespace demold
 
 #endif

@@ -18,17 +18,17 @@ namespace demold
   namespace
   {
     /// Position of node @p i within the facet.
-    unsigned int
-    local_number(const Facet &facet, const unsigned int i)
+    unsigned int local_number(const Facet &facet, const unsigned int i)
     {
-      return std::find(
-               facet.nodes.begin(), facet.nodes.begin() + facet.n_nodes, i) -
+      return std::find(facet.nodes.begin(),
+                       facet.nodes.begin() + facet.n_nodes,
+                       i) -
              facet.nodes.begin();
     }
 
     /// Nodes of edge @p e in the sense of rotation of the facet.
-    std::array<unsigned int, 2>
-    edge_nodes(const Facet &facet, const unsigned int e)
+    std::array<unsigned int, 2> edge_nodes(const Facet       &facet,
+                                           const unsigned int e)
     {
       if (facet.n_nodes == 2)
         return {{facet.nodes[e], facet.nodes[e]}};
@@ -37,8 +37,7 @@ namespace demold
 
     /// Coordinates in a four-node facet of the point @p t of its edge @p e,
     /// t running from -1 to 1 in the sense of rotation.
-    FacetCoordinates
-    on_edge(const unsigned int e, const double t)
+    FacetCoordinates on_edge(const unsigned int e, const double t)
     {
       const std::array<FacetCoordinates, 4> xi{
         {{{t, -1.}}, {{1., t}}, {{-t, 1.}}, {{-1., -t}}}};
@@ -47,8 +46,7 @@ namespace demold
 
     /// Does @p d lead from the border of a facet towards its inside, which
     /// lies along @p inward? Then the border is not the closest point.
-    bool
-    leads_inside(const Tensor<1, 3> &d, const Tensor<1, 3> &inward)
+    bool leads_inside(const Tensor<1, 3> &d, const Tensor<1, 3> &inward)
     {
       return d * inward > 1e-9 * inward.norm_square();
     }
@@ -70,8 +68,7 @@ namespace demold
     find_bounds();
   }
 
-  void
-  ContactSurface::set_positions(const std::vector<Point<3>> &positions)
+  void ContactSurface::set_positions(const std::vector<Point<3>> &positions)
   {
     AssertThrow(positions.size() == x.size(),
                 ExcMessage("A contact surface of " + std::to_string(x.size()) +
@@ -81,16 +78,14 @@ namespace demold
     find_bounds();
   }
 
-  void
-  ContactSurface::find_bounds()
+  void ContactSurface::find_bounds()
   {
     bounds.clear();
     for (unsigned int f = 0; f < n_facets(); ++f)
       bounds.emplace_back(facet_positions(f));
   }
 
-  FacetPositions
-  ContactSurface::facet_positions(const unsigned int f) const
+  FacetPositions ContactSurface::facet_positions(const unsigned int f) const
   {
     FacetPositions result;
     result.n_nodes = all_facets[f].n_nodes;
@@ -109,8 +104,7 @@ namespace demold
     return {{facet.nodes[(local + 1) % n], facet.nodes[(local + n - 1) % n]}};
   }
 
-  Tensor<1, 3>
-  ContactSurface::node_normal(const unsigned int i) const
+  Tensor<1, 3> ContactSurface::node_normal(const unsigned int i) const
   {
     constexpr std::array<FacetCoordinates, 4> corner{
       {{{-1., -1.}}, {{1., -1.}}, {{1., 1.}}, {{-1., 1.}}}};
@@ -144,10 +138,9 @@ namespace demold
                   (1. + 2. * free_end_tolerance) * (x_1 - x_0).norm());
   }
 
-  BorderFoot
-  ContactSurface::edge_foot(const unsigned int  number,
-                            const Point<3>     &point,
-                            const Tensor<1, 3> &n_s) const
+  BorderFoot ContactSurface::edge_foot(const unsigned int  number,
+                                       const Point<3>     &point,
+                                       const Tensor<1, 3> &n_s) const
   {
     const FacetEdge   &edge   = all_edges[number];
     const Tensor<1, 3> half   = 0.5 * (x[edge.nodes[1]] - x[edge.nodes[0]]);
@@ -165,8 +158,9 @@ namespace demold
         while (edges_of_facet[f][e] != number)
           ++e;
         const bool forward = all_facets[f].nodes[e] == edge.nodes[0];
-        const auto frame   = facet_frame(
-          facet_positions(f), on_edge(e, forward ? foot.xi : -foot.xi));
+        const auto frame =
+          facet_frame(facet_positions(f),
+                      on_edge(e, forward ? foot.xi : -foot.xi));
         // As d is normal to the edge, the component along it does not matter.
         const auto inward =
           (e == 0 || e == 3 ? 1. : -1.) * frame.a[e % 2 == 0 ? 1 : 0];
@@ -181,10 +175,9 @@ namespace demold
     return foot;
   }
 
-  BorderFoot
-  ContactSurface::vertex_foot(const unsigned int  node,
-                              const Point<3>     &point,
-                              const Tensor<1, 3> &n_s) const
+  BorderFoot ContactSurface::vertex_foot(const unsigned int  node,
+                                         const Point<3>     &point,
+                                         const Tensor<1, 3> &n_s) const
   {
     BorderFoot foot;
     foot.d = point - x[node];
@@ -200,8 +193,7 @@ namespace demold
     return foot;
   }
 
-  void
-  ContactSurface::check_facets() const
+  void ContactSurface::check_facets() const
   {
     for (unsigned int f = 0; f < n_facets(); ++f)
       {
@@ -222,8 +214,7 @@ namespace demold
       }
   }
 
-  void
-  ContactSurface::find_edges()
+  void ContactSurface::find_edges()
   {
     std::map<std::pair<unsigned int, unsigned int>, unsigned int> known;
     edges_of_facet.resize(n_facets());
@@ -240,8 +231,7 @@ namespace demold
         }
   }
 
-  void
-  ContactSurface::check_orientation() const
+  void ContactSurface::check_orientation() const
   {
     for (const FacetEdge &edge : all_edges)
       {
@@ -250,9 +240,9 @@ namespace demold
         const auto starts_here = [&](const unsigned int f) {
           const Facet       &facet = all_facets[f];
           const unsigned int local = local_number(facet, edge.nodes[0]);
-          return facet.n_nodes == 2
-                   ? local == 0
-                   : facet.nodes[(local + 1) % 4] == edge.nodes[1];
+          return facet.n_nodes == 2 ?
+                   local == 0 :
+                   facet.nodes[(local + 1) % 4] == edge.nodes[1];
         };
         AssertThrow(starts_here(edge.facets[0]) != starts_here(edge.facets[1]),
                     ExcMessage("The neighbouring facets " +
@@ -263,8 +253,7 @@ namespace demold
       }
   }
 
-  void
-  ContactSurface::find_interior_nodes()
+  void ContactSurface::find_interior_nodes()
   {
     interior.resize(x.size());
     for (unsigned int i = 0; i < x.size(); ++i)

@@ -43,8 +43,8 @@ namespace demold
     std::array<double, 4>                d2N{};
   };
 
-  inline FacetShape
-  facet_shape(const unsigned int n_nodes, const FacetCoordinates &xi)
+  inline FacetShape facet_shape(const unsigned int      n_nodes,
+                                const FacetCoordinates &xi)
   {
     constexpr std::array<std::array<double, 2>, 4> corner{
       {{{-1., -1.}}, {{1., -1.}}, {{1., 1.}}, {{-1., 1.}}}};
@@ -79,8 +79,8 @@ namespace demold
   };
 
   /// Evaluates a facet at @p xi. A facet without area gets the normal 0.
-  inline FacetFrame
-  facet_frame(const FacetPositions &facet, const FacetCoordinates &xi)
+  inline FacetFrame facet_frame(const FacetPositions   &facet,
+                                const FacetCoordinates &xi)
   {
     FacetFrame frame;
     frame.shape = facet_shape(facet.n_nodes, xi);

@@ -15,8 +15,8 @@ namespace demold
   struct FacetBound
   {
     dealii::Point<3>     centre;
-    dealii::Tensor<1, 3> normal; ///< at the centre
-    double               radius = 0.; ///< [mm] of the nodes about the centre
+    dealii::Tensor<1, 3> normal;        ///< at the centre
+    double               radius   = 0.; ///< [mm] of the nodes about the centre
     bool                 is_plane = false;
 
     explicit FacetBound(const FacetPositions &facet)

@@ -28,7 +28,7 @@ namespace demold
 
     /// Change of orthonormal(frame) * @p offset per displacement of a node
     /// whose shape function has the slope @p dN along a_1.
-    Tensor<2, 3> offset_change(const FacetFrame &  frame,
+    Tensor<2, 3> offset_change(const FacetFrame   &frame,
                                const Tensor<1, 3> &offset,
                                const double        dN,
                                const Tensor<2, 3> &dnormal)
@@ -86,11 +86,10 @@ namespace demold
 
   Anchor Master::set_anchor(const unsigned int      facet,
                             const FacetCoordinates &xi,
-                            const Point<3> &        x_s) const
+                            const Point<3>         &x_s) const
   {
-    const FacetFrame frame =
-      facet_frame(surface.facet_positions(facet), xi);
-    Anchor anchor;
+    const FacetFrame frame = facet_frame(surface.facet_positions(facet), xi);
+    Anchor           anchor;
     anchor.facet = facet;
     anchor.xi    = xi;
     if (is_rigid())
@@ -106,7 +105,7 @@ namespace demold
 
   Anchor Master::drag_anchor(const unsigned int facet, const Point<3> &x) const
   {
-    const Projection foot = project(x, surface.facet_positions(facet));
+    const Projection       foot = project(x, surface.facet_positions(facet));
     const FacetCoordinates xi =
       foot.found ? foot.xi : FacetCoordinates{{0., 0.}};
     return set_anchor(facet, xi, is_rigid() || !foot.found ? x : foot.x);

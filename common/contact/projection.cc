@@ -14,10 +14,9 @@ namespace demold
   {
     /// Newton step of thesis (3.6). Where the distance is not convex the
     /// curvature term is left out; the step then still leads downhill.
-    FacetCoordinates
-    projection_step(const FacetFrame   &frame,
-                    const Tensor<1, 3> &d,
-                    const unsigned int  n_nodes)
+    FacetCoordinates projection_step(const FacetFrame   &frame,
+                                     const Tensor<1, 3> &d,
+                                     const unsigned int  n_nodes)
     {
       const double F1 = d * frame.a[0], H11 = frame.a[0].norm_square();
       if (n_nodes == 2)
@@ -36,19 +35,17 @@ namespace demold
       return {{(H22 * F1 - H12 * F2) / det, (H11 * F2 - H12 * F1) / det}};
     }
 
-    double
-    largest(const FacetCoordinates &xi)
+    double largest(const FacetCoordinates &xi)
     {
       return std::max(std::abs(xi[0]), std::abs(xi[1]));
     }
 
     /// Shortens a step until the distance decreases sufficiently.
-    FacetCoordinates
-    damped(FacetCoordinates        step,
-           const FacetCoordinates &xi,
-           const Point<3>         &point,
-           const FacetPositions   &facet,
-           const FacetFrame       &frame)
+    FacetCoordinates damped(FacetCoordinates        step,
+                            const FacetCoordinates &xi,
+                            const Point<3>         &point,
+                            const FacetPositions   &facet,
+                            const FacetFrame       &frame)
     {
       const Tensor<1, 3> d   = point - frame.x;
       const double       phi = 0.5 * d.norm_square();
@@ -69,8 +66,7 @@ namespace demold
     }
   } // namespace
 
-  Projection
-  project(const Point<3> &point, const FacetPositions &facet)
+  Projection project(const Point<3> &point, const FacetPositions &facet)
   {
     constexpr unsigned int max_iterations = 20;
     constexpr double       eps = std::numeric_limits<double>::epsilon();

@@ -66,12 +66,12 @@ namespace demold
   {
     const bool good = Utilities::MPI::min(in ? 1 : 0, communicator) == 1;
     if (!good)
-      throw ExcParameter(
-        "--restart",
-        "needs a checkpoint written by " +
-          std::to_string(Utilities::MPI::n_mpi_processes(communicator)) +
-          " ranks; no " + rank_file(folder, communicator) +
-          ". Restart with the same number of ranks.");
+      throw ExcParameter("--restart",
+                         "needs a checkpoint written by " +
+                           std::to_string(
+                             Utilities::MPI::n_mpi_processes(communicator)) +
+                           " ranks; no " + rank_file(folder, communicator) +
+                           ". Restart with the same number of ranks.");
   }
 
   std::vector<double> RestartFile::get()

@@ -39,7 +39,7 @@ namespace demold
     template <typename Function>
     auto integral(const Function &f, const double t)
     {
-      constexpr unsigned int n = 200;
+      constexpr unsigned int n   = 200;
       auto                   sum = (f(0.) + f(t)) * (t / (6. * n));
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -106,7 +106,7 @@ namespace demold
         d /= std::max(d.norm(), 1e-300);
         const double angle = inclination(t) * degree;
         Tensor<1, 3> e_x;
-        e_x[0] = 1.;
+        e_x[0]                  = 1.;
         const Tensor<1, 3> side = e_x - (e_x * d) * d;
         return std::cos(angle) * d +
                std::sin(angle) * side / std::max(side.norm(), 1e-300);
@@ -185,11 +185,11 @@ namespace demold
       Expression              tilt;
       std::vector<Expression> centre;
     };
-    const auto parts = std::make_shared<Parts>(
-      Parts{Velocity(*this),
-            Direction(*this, dim),
-            Expression(tilt, "Pull/tilt"),
-            formulas(tilt_centre, "Pull/tilt centre")});
+    const auto parts =
+      std::make_shared<Parts>(Parts{Velocity(*this),
+                                    Direction(*this, dim),
+                                    Expression(tilt, "Pull/tilt"),
+                                    formulas(tilt_centre, "Pull/tilt centre")});
     const Point<3> centre(parts->centre[0](0.),
                           parts->centre[1](0.),
                           parts->centre[2](0.));
@@ -244,7 +244,7 @@ namespace demold
       }
     for (unsigned int i = 0; i < 60; ++i)
       {
-        const double middle = .5 * (before + after_);
+        const double middle                            = .5 * (before + after_);
         (v.travel(middle) < opening ? before : after_) = middle;
       }
     return after_;

@@ -18,14 +18,14 @@ namespace demold
   /// turn about a centre; the backing of the block stands still.
   struct Pull
   {
-    std::string velocity    = "50";    ///< v [mm/s]
-    double      ramp        = .005;    ///< [s], for a velocity that is a number
-    std::string direction   = "down";  ///< or formulas "dx, dy, dz"
-    std::string inclination = "0";     ///< [degree] from the direction to +x
-    std::string tilt        = "0";     ///< [degree]
+    std::string velocity    = "50";   ///< v [mm/s]
+    double      ramp        = .005;   ///< [s], for a velocity that is a number
+    std::string direction   = "down"; ///< or formulas "dx, dy, dz"
+    std::string inclination = "0";    ///< [degree] from the direction to +x
+    std::string tilt        = "0";    ///< [degree]
     std::string tilt_centre = "0, 0, 0"; ///< [mm]
-    double      opening     = 10.;     ///< [mm] of travel at the end
-    double      after       = 1.;      ///< [mm] beyond the last release
+    double      opening     = 10.;       ///< [mm] of travel at the end
+    double      after       = 1.;        ///< [mm] beyond the last release
 
     void add_parameters(dealii::ParameterHandler &prm);
     void check(int dim) const;

@@ -34,7 +34,7 @@ namespace demold
   }
 
   Tensor<1, 3> SceneSupports::reaction(const types::boundary_id boundary,
-                                       const Vector &           force) const
+                                       const Vector            &force) const
   {
     Tensor<1, 3>   sum;
     const IndexSet owned = force.locally_owned_elements();
@@ -55,13 +55,14 @@ namespace demold
       if (owned.is_element(entry.unknown))
         {
           const auto &u = rules[entry.rule].value;
-          sum += force(entry.unknown) * (u(t + dt, entry.X) - u(t - dt, entry.X));
+          sum +=
+            force(entry.unknown) * (u(t + dt, entry.X) - u(t - dt, entry.X));
         }
     return Utilities::MPI::sum(sum, force.get_mpi_communicator()) / (2. * dt);
   }
 
   template <int dim>
-  SceneSupports collect_supports(const DoFHandler<dim, dim> &    dof_handler,
+  SceneSupports collect_supports(const DoFHandler<dim, dim>     &dof_handler,
                                  const std::vector<SupportRule> &rules)
   {
     std::map<types::global_dof_index, SceneSupports::Entry> entries;
@@ -80,9 +81,10 @@ namespace demold
                   {indices[i],
                    {indices[i],
                     r,
-                    in_space(StaticMappingQ1<dim>::mapping
-                               .transform_unit_to_real_cell(
-                                 cell, fe.unit_support_point(i)))}});
+                    in_space(
+                      StaticMappingQ1<dim>::mapping.transform_unit_to_real_cell(
+                        cell,
+                        fe.unit_support_point(i)))}});
           };
           if (!rules[r].boundary)
             add([](unsigned int) { return true; });

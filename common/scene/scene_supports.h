@@ -36,7 +36,7 @@ namespace demold
     /// Sum of the reactions [N] at one boundary, from the force vector of the
     /// weak form, all ranks.
     dealii::Tensor<1, 3> reaction(const dealii::types::boundary_id boundary,
-                                  const Vector &                   force) const;
+                                  const Vector                    &force) const;
 
     /// Power [mJ/s] of all reactions at time @p t: with the rate of the
     /// opening it gives the force that does the same work. @p dt is the
@@ -51,7 +51,7 @@ namespace demold
   template <int dim>
   SceneSupports
   collect_supports(const dealii::DoFHandler<dim, dim> &dof_handler,
-                   const std::vector<SupportRule> &    rules);
+                   const std::vector<SupportRule>     &rules);
 } // namespace demold
 
 #endif

@@ -45,7 +45,7 @@ namespace demold
         for (std::size_t k = 0; k < unknowns.size(); ++k)
           {
             const Assembler::Indices index = {unknowns[k]};
-            r(0) = -areas[k] * T[components[k]];
+            r(0)                           = -areas[k] * T[components[k]];
             assembler.add(index, r);
             work += .5 * areas[k] * (T[components[k]] + T_old[components[k]]) *
                     (now.u(unknowns[k]) - now.u_old(unknowns[k]));
@@ -99,17 +99,17 @@ namespace demold
 
   template <int dim>
   std::unique_ptr<Term>
-  make_dead_traction(const DoFHandler<dim, dim> &               dof_handler,
+  make_dead_traction(const DoFHandler<dim, dim>                &dof_handler,
                      const types::boundary_id                   boundary_id,
                      const std::function<Tensor<1, 3>(double)> &traction,
-                     const PlaneModel &                         plane)
+                     const PlaneModel                          &plane)
   {
     auto term      = std::make_unique<DeadTraction>();
     term->traction = traction;
 
-    const auto &          fe = dof_handler.get_fe();
-    const QGauss<dim - 1> quadrature(fe.degree + 1);
-    FEFaceValues<dim>     values(fe,
+    const auto                          &fe = dof_handler.get_fe();
+    const QGauss<dim - 1>                quadrature(fe.degree + 1);
+    FEFaceValues<dim>                    values(fe,
                              quadrature,
                              update_values | update_JxW_values |
                                update_quadrature_points);

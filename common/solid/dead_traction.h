@@ -23,11 +23,11 @@ namespace demold
   /// where T [MPa] is a function of time [s] and dA the reference area. Its
   /// work enters the ledger as external, by the trapezoidal rule.
   template <int dim>
-  std::unique_ptr<Term>
-  make_dead_traction(const dealii::DoFHandler<dim, dim> &dof_handler,
-                     const dealii::types::boundary_id    boundary_id,
-                     const std::function<dealii::Tensor<1, 3>(double)> &traction,
-                     const PlaneModel &                  plane);
+  std::unique_ptr<Term> make_dead_traction(
+    const dealii::DoFHandler<dim, dim>                &dof_handler,
+    const dealii::types::boundary_id                   boundary_id,
+    const std::function<dealii::Tensor<1, 3>(double)> &traction,
+    const PlaneModel                                  &plane);
 } // namespace demold
 
 #endif

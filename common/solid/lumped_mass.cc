@@ -15,11 +15,11 @@ namespace demold
 
   template <int dim>
   Vector lumped_mass(const DoFHandler<dim, dim> &dof_handler,
-                     const PlaneModel &          plane,
+                     const PlaneModel           &plane,
                      const double                density,
-                     const Vector &              layout)
+                     const Vector               &layout)
   {
-    const auto &      fe = dof_handler.get_fe();
+    const auto       &fe = dof_handler.get_fe();
     const QGauss<dim> quadrature(fe.degree + 1);
     FEValues<dim>     fe_values(fe,
                             quadrature,

@@ -18,9 +18,9 @@ namespace demold
   /// [t/mm^3], the result has the layout of @p layout.
   template <int dim>
   Vector lumped_mass(const dealii::DoFHandler<dim, dim> &dof_handler,
-                     const PlaneModel &                  plane,
+                     const PlaneModel                   &plane,
                      const double                        density,
-                     const Vector &                      layout);
+                     const Vector                       &layout);
 } // namespace demold
 
 #endif

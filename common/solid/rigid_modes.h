@@ -20,7 +20,7 @@ namespace demold
   template <int dim>
   std::vector<Vector>
   rigid_body_modes(const dealii::DoFHandler<dim, dim> &dof_handler,
-                   const Vector &                      layout);
+                   const Vector                       &layout);
 } // namespace demold
 
 #endif

@@ -71,7 +71,7 @@ namespace demold
   }
 
   /// T C T^T, where C is the raw storage of a tangent.
-  inline VoigtMatrix push_forward(const VoigtMatrix &                  T,
+  inline VoigtMatrix push_forward(const VoigtMatrix                   &T,
                                   const dealii::SymmetricTensor<4, 3> &C)
   {
     VoigtMatrix c, TC, result;

@@ -105,22 +105,23 @@ namespace demold
     }
   } // namespace
 
-  StrategyResult run_increments(WeakForm &                 weak_form,
-                                NonlinearSolver &                   newton,
+  StrategyResult run_increments(WeakForm                  &weak_form,
+                                NonlinearSolver           &newton,
                                 const IncrementParameters &parameters,
                                 const double               end_time,
-                                const IncrementHooks &     hooks,
-                                const OnAccept &           on_accept)
+                                const IncrementHooks      &hooks,
+                                const OnAccept            &on_accept)
   {
-    StrategyResult result;
-    IncrementState local;
-    IncrementState &state = parameters.state != nullptr ? *parameters.state : local;
+    StrategyResult  result;
+    IncrementState  local;
+    IncrementState &state =
+      parameters.state != nullptr ? *parameters.state : local;
     double &dt = state.dt, &last_dt = state.last_dt;
     result.rejected          = state.rejected;
     result.newton_iterations = state.newton_iterations;
     if (dt <= 0.)
       dt = parameters.first;
-    const double   tiny = 1e-12 * end_time;
+    const double tiny = 1e-12 * end_time;
     while (end_time - weak_form.time() > tiny)
       {
         const double start = weak_form.time();
@@ -146,10 +147,10 @@ namespace demold
           {
             weak_form.reject();
             state.rejected = ++result.rejected;
-            dt = step * (report.converged ?
-                           std::max(.1, std::min(.5, verdict.factor)) :
-                           .5);
-            last_dt = 0.; // no extrapolation from here
+            dt             = step * (report.converged ?
+                                       std::max(.1, std::min(.5, verdict.factor)) :
+                                       .5);
+            last_dt        = 0.; // no extrapolation from here
             if (dt < parameters.smallest)
               {
                 result.gave_up = true;

@@ -21,9 +21,9 @@ namespace demold
   /// Hooks by which strategies differ.
   struct IncrementHooks
   {
-    std::string                       name;
-    std::function<void(double dt)>    before = [](double) {};
-    std::function<IncrementVerdict(double dt)> judge = [](double) {
+    std::string                                name;
+    std::function<void(double dt)>             before = [](double) {};
+    std::function<IncrementVerdict(double dt)> judge  = [](double) {
       return IncrementVerdict();
     };
     std::function<void()> after_accept = [] {};
@@ -39,12 +39,12 @@ namespace demold
   /// Goes from the accepted time to @p end_time. A failed or inaccurate
   /// increment is rolled back and repeated with a shorter one; below
   /// `smallest` the run gives up with the reason and the residual history.
-  StrategyResult run_increments(WeakForm &                 weak_form,
-                                NonlinearSolver &                   newton,
+  StrategyResult run_increments(WeakForm                  &weak_form,
+                                NonlinearSolver           &newton,
                                 const IncrementParameters &parameters,
                                 const double               end_time,
-                                const IncrementHooks &     hooks,
-                                const OnAccept &           on_accept);
+                                const IncrementHooks      &hooks,
+                                const OnAccept            &on_accept);
 } // namespace demold
 
 #endif

@@ -2,19 +2,19 @@
 // Implicit dynamics with increments as long as accuracy allows.
 #include "solution/dynamics.h"
 
-#include "solution/inertia.h"
 #include "solution/adaptive_increments.h"
+#include "solution/inertia.h"
 #include "weak_form/weak_form.h"
 
 namespace demold
 {
-  StrategyResult run_dynamics(WeakForm &                 weak_form,
-                              NonlinearSolver &                   newton,
-                              Inertia &                  inertia,
-                              const TimeIntegrator &     integrator,
+  StrategyResult run_dynamics(WeakForm                  &weak_form,
+                              NonlinearSolver           &newton,
+                              Inertia                   &inertia,
+                              const TimeIntegrator      &integrator,
                               const IncrementParameters &increments,
                               const double               end_time,
-                              const OnAccept &           on_accept)
+                              const OnAccept            &on_accept)
   {
     IncrementHooks hooks;
     hooks.name = "dynamics";
@@ -27,8 +27,8 @@ namespace demold
       for (const auto &term : weak_form.term_list())
         inertia.close(term->closed_points());
     };
-    const StrategyResult result = run_increments(
-      weak_form, newton, increments, end_time, hooks, on_accept);
+    const StrategyResult result =
+      run_increments(weak_form, newton, increments, end_time, hooks, on_accept);
     weak_form.set_bulk_weight(1.);
     return result;
   }

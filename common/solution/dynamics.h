@@ -16,13 +16,13 @@ namespace demold
   /// dt * clip(0.9 min(ratio^(-1/order)), 0.1, 1.5) (theory D.4). Bulk forces
   /// are blended, interface forces enter at t_{n+1}; after each step closed
   /// points get the normal velocity of the mould.
-  StrategyResult run_dynamics(WeakForm &                 weak_form,
-                              NonlinearSolver &                   newton,
-                              Inertia &                  inertia,
-                              const TimeIntegrator &     integrator,
+  StrategyResult run_dynamics(WeakForm                  &weak_form,
+                              NonlinearSolver           &newton,
+                              Inertia                   &inertia,
+                              const TimeIntegrator      &integrator,
                               const IncrementParameters &increments,
                               const double               end_time,
-                              const OnAccept &           on_accept);
+                              const OnAccept            &on_accept);
 } // namespace demold
 
 #endif

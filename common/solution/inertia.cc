@@ -20,7 +20,8 @@ namespace demold
     prm.add_parameter("integrator",
                       scheme,
                       "member of the Newmark family",
-                      Patterns::Selection("bossak|generalised-alpha|newmark|hht"));
+                      Patterns::Selection(
+                        "bossak|generalised-alpha|newmark|hht"));
     prm.add_parameter("spectral radius",
                       spectral_radius,
                       "rho_inf of bossak and generalised-alpha at high "
@@ -66,7 +67,7 @@ namespace demold
     return .25 * std::pow(1. - alpha_m() + alpha_f(), 2);
   }
 
-  Inertia::Inertia(const Vector &        mass,
+  Inertia::Inertia(const Vector         &mass,
                    const TimeIntegrator &integrator,
                    const double          length)
     : mass(mass)
@@ -154,8 +155,8 @@ namespace demold
     work += weak_form.accepted_force;
     work *= -.5;
     weak_form.set_supports_to_zero(work);
-    algorithmic = kinetic_energy(committed_velocity) -
-                  kinetic_energy(velocity_trial);
+    algorithmic =
+      kinetic_energy(committed_velocity) - kinetic_energy(velocity_trial);
     for (const auto i : mass.locally_owned_elements())
       algorithmic += work(i) * (weak_form.trial(i) - weak_form.accepted(i));
   }
@@ -164,9 +165,9 @@ namespace demold
   {
     double largest = 0.;
     for (const auto i : mass.locally_owned_elements())
-      largest = std::max(largest,
-                         std::abs(acceleration_trial(i) -
-                                  committed_acceleration(i)));
+      largest =
+        std::max(largest,
+                 std::abs(acceleration_trial(i) - committed_acceleration(i)));
     largest = Utilities::MPI::max(largest, mass.get_mpi_communicator());
     return {dt * dt * std::abs(integrator.beta() - 1. / 6.) * largest /
               (2. * length),

@@ -45,7 +45,7 @@ namespace demold
   public:
     /// @param mass lumped mass [t] of each owned unknown.
     /// @param length [mm] by which an error of the displacement is judged.
-    Inertia(const Vector &        mass,
+    Inertia(const Vector         &mass,
             const TimeIntegrator &integrator,
             const double          length);
 

@@ -29,7 +29,7 @@ namespace demold
     void   search_line(WeakForm &, const Vector &du, NewtonReport &);
 
     const NewtonParameters parameters;
-    LinearSolver &         linear_solver;
+    LinearSolver          &linear_solver;
     double                 round_off    = 0.; ///< [N]
     double                 largest_work = 0.; ///< of a correction [mJ]
     double                 last_work    = 0.;

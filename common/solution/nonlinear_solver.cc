@@ -40,7 +40,7 @@ namespace demold
 
   std::unique_ptr<NonlinearSolver>
   make_nonlinear_solver(const NewtonParameters &parameters,
-                        LinearSolver &          linear_solver)
+                        LinearSolver           &linear_solver)
   {
     if (parameters.nonlinear == "kinsol")
       return std::make_unique<Kinsol>(parameters, linear_solver);

@@ -58,7 +58,7 @@ namespace demold
   /// The solver named in @p parameters.
   std::unique_ptr<NonlinearSolver>
   make_nonlinear_solver(const NewtonParameters &parameters,
-                        LinearSolver &          linear_solver);
+                        LinearSolver           &linear_solver);
 } // namespace demold
 
 #endif

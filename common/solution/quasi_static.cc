@@ -45,17 +45,17 @@ namespace demold
     };
   } // namespace
 
-  StrategyResult run_quasi_static(WeakForm &                 weak_form,
-                                  NonlinearSolver &                   newton,
+  StrategyResult run_quasi_static(WeakForm                  &weak_form,
+                                  NonlinearSolver           &newton,
                                   const IncrementParameters &increments,
                                   const double               end_time,
-                                  const OnAccept &           on_accept)
+                                  const OnAccept            &on_accept)
   {
     IncrementHooks hooks;
     Books          books;
-    hooks.name = "quasi-static";
+    hooks.name  = "quasi-static";
     hooks.judge = [&](const double dt) {
-      IncrementVerdict verdict = judge_by_terms(weak_form);
+      IncrementVerdict verdict    = judge_by_terms(weak_form);
       const bool       bonds_give = verdict.factor < 1e299;
       books.trial                 = weak_form.energies();
       const double share          = books.unexplained_share();
@@ -74,8 +74,8 @@ namespace demold
     hooks.after_accept = [&] { books.accept(); };
     books.accepted = books.trial = weak_form.energies();
     weak_form.set_bulk_weight(1.);
-    StrategyResult result = run_increments(
-      weak_form, newton, increments, end_time, hooks, on_accept);
+    StrategyResult result =
+      run_increments(weak_form, newton, increments, end_time, hooks, on_accept);
     if (result.gave_up)
       result.reason += ". There may be no equilibrium near the last one: try "
                        "Solution/strategy = dynamics";

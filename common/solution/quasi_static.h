@@ -10,13 +10,14 @@ namespace demold
   class WeakForm;
 
   /// Follows the equilibrium of @p weak_form to @p end_time with adaptive
-  /// increments, as long as the terms find them accurate. Where softening outruns the elastic unloading, the next
-  /// equilibrium is far away: the step is then a jump (theory D.1).
-  StrategyResult run_quasi_static(WeakForm &                 weak_form,
-                                  NonlinearSolver &                   newton,
+  /// increments, as long as the terms find them accurate. Where softening
+  /// outruns the elastic unloading, the next equilibrium is far away: the step
+  /// is then a jump (theory D.1).
+  StrategyResult run_quasi_static(WeakForm                  &weak_form,
+                                  NonlinearSolver           &newton,
                                   const IncrementParameters &increments,
                                   const double               end_time,
-                                  const OnAccept &           on_accept);
+                                  const OnAccept            &on_accept);
 } // namespace demold
 
 #endif

@@ -28,12 +28,12 @@ namespace demold
     virtual bool with_tangent() const = 0;
 
     /// Adds the residual [N] of the unknowns @p indices.
-    virtual void add(const Indices &indices,
+    virtual void add(const Indices                &indices,
                      const dealii::Vector<double> &residual) = 0;
 
     /// Adds residual [N] and tangent [N/mm].
-    virtual void add(const Indices &indices,
-                     const dealii::Vector<double> &    residual,
+    virtual void add(const Indices                    &indices,
+                     const dealii::Vector<double>     &residual,
                      const dealii::FullMatrix<double> &tangent) = 0;
   };
 
@@ -44,10 +44,10 @@ namespace demold
     /// @p matrix may be null: residual only. The tangent is multiplied by
     /// @p weight, the residual is not (theory D.4: the weak form blends it).
     SystemAssembler(const dealii::AffineConstraints<double> &constraints,
-                    Vector &      residual,
-                    Vector &      right_hand_side,
-                    SparseMatrix *matrix,
-                    const bool    inhomogeneous)
+                    Vector                                  &residual,
+                    Vector                                  &right_hand_side,
+                    SparseMatrix                            *matrix,
+                    const bool                               inhomogeneous)
       : constraints(constraints)
       , residual(residual)
       , right_hand_side(right_hand_side)
@@ -65,8 +65,8 @@ namespace demold
       residual.add(indices, r);
     }
 
-    void add(const Indices &                   indices,
-             const dealii::Vector<double> &    r,
+    void add(const Indices                    &indices,
+             const dealii::Vector<double>     &r,
              const dealii::FullMatrix<double> &K) override;
 
     /// Factor on the tangents that follow.
@@ -74,9 +74,9 @@ namespace demold
 
   private:
     const dealii::AffineConstraints<double> &constraints;
-    Vector &                                 residual;
-    Vector &                                 right_hand_side;
-    SparseMatrix *                           matrix;
+    Vector                                  &residual;
+    Vector                                  &right_hand_side;
+    SparseMatrix                            *matrix;
     const bool                               inhomogeneous;
     MatrixInserter                           inserter;
     dealii::FullMatrix<double>               scaled;

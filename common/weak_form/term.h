@@ -89,15 +89,16 @@ namespace demold
     }
 
     /// Tells the term where its extra unknowns begin.
-    virtual void set_first_extra_unknown(dealii::types::global_dof_index) {}
+    virtual void set_first_extra_unknown(dealii::types::global_dof_index)
+    {}
 
     /// Adds the unknowns this rank must read beyond those of its cells.
-    virtual void needed_unknowns(dealii::IndexSet &) const {}
+    virtual void needed_unknowns(dealii::IndexSet &) const
+    {}
 
     /// Adds the couplings of the tangent that this rank will write.
-    virtual void
-    add_couplings(dealii::DynamicSparsityPattern &,
-                  const dealii::AffineConstraints<double> &) const
+    virtual void add_couplings(dealii::DynamicSparsityPattern &,
+                               const dealii::AffineConstraints<double> &) const
     {}
 
     /// Does the tangent need couplings that were not announced? Asked after
@@ -108,7 +109,8 @@ namespace demold
     }
 
     /// Called once per assembly before assemble(), on every rank.
-    virtual void prepare(const Configuration &) {}
+    virtual void prepare(const Configuration &)
+    {}
 
     /// Adds residual [N] and, where asked, tangent [N/mm]. Returns false if
     /// the trial state is inadmissible (an element turned inside out); that
@@ -147,8 +149,10 @@ namespace demold
     virtual std::size_t history_bytes() const = 0;
 
     /// Writes and reads the committed history of this rank.
-    virtual void save(std::ostream &) const {}
-    virtual void load(std::istream &) {}
+    virtual void save(std::ostream &) const
+    {}
+    virtual void load(std::istream &)
+    {}
   };
 } // namespace demold
 

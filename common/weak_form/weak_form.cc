@@ -129,8 +129,8 @@ namespace demold
 
   void WeakForm::begin_increment(const double time, const double extrapolation)
   {
-    new_time = time;
-    trial    = accepted;
+    new_time        = time;
+    trial           = accepted;
     is_extrapolated = extrapolation != 0.;
     if (is_extrapolated)
       trial.add(extrapolation, previous_increment);
@@ -162,10 +162,9 @@ namespace demold
     return Utilities::MPI::max(any ? 1 : 0, space.communicator) == 1;
   }
 
-  bool WeakForm::assemble(const bool         with_tangent,
-                          const unsigned int iteration)
+  bool WeakForm::assemble(const bool with_tangent, const unsigned int iteration)
   {
-    ghosted_trial = trial;
+    ghosted_trial           = trial;
     const Configuration now = configuration(iteration);
 
     bool new_couplings = false;
@@ -186,9 +185,9 @@ namespace demold
     bool admissible = true;
     for (const auto &term : terms)
       {
-        Vector &target = term->kind() == TermKind::bulk      ? bulk :
-                         term->kind() == TermKind::interface ? interface :
-                                                               inertia;
+        Vector         &target = term->kind() == TermKind::bulk      ? bulk :
+                                 term->kind() == TermKind::interface ? interface :
+                                                                       inertia;
         SystemAssembler assembler(constraints,
                                   target,
                                   right_hand_side,
@@ -240,8 +239,7 @@ namespace demold
     double work = 0.;
     for (const auto i : supports.unknowns)
       if (owned.is_element(i))
-        work +=
-          .5 * (accepted_force(i) + force(i)) * (trial(i) - accepted(i));
+        work += .5 * (accepted_force(i) + force(i)) * (trial(i) - accepted(i));
     return work;
   }
 
@@ -252,9 +250,9 @@ namespace demold
     previous_increment -= accepted;
     accepted         = trial;
     ghosted_accepted = trial;
-    accepted_force = force;
-    accepted_bulk  = bulk;
-    accepted_time  = new_time;
+    accepted_force   = force;
+    accepted_bulk    = bulk;
+    accepted_time    = new_time;
     for (const auto &term : terms)
       term->commit();
   }
@@ -282,13 +280,11 @@ namespace demold
     double        squares[2] = {0., 0.};
     for (const auto i : owned)
       squares[i < n_displacements ? 0 : 1] += free(i) * free(i);
-    norms.free =
-      std::sqrt(Utilities::MPI::sum(squares[0], space.communicator));
+    norms.free = std::sqrt(Utilities::MPI::sum(squares[0], space.communicator));
     norms.extra =
       std::sqrt(Utilities::MPI::sum(squares[1], space.communicator));
-    norms.scale       = std::max({bulk.l2_norm(),
-                            interface.l2_norm(),
-                            inertia.l2_norm()});
+    norms.scale =
+      std::max({bulk.l2_norm(), interface.l2_norm(), inertia.l2_norm()});
     norms.extra_scale = trial.l2_norm();
     return norms;
   }
@@ -348,10 +344,10 @@ namespace demold
       read_owned(in, *v);
     read_owned(in, accepted);
     read_owned(in, previous_increment);
-    ghosted_accepted = accepted;
+    ghosted_accepted  = accepted;
     const auto values = read_values(in);
-    accepted_time = new_time = values.at(0);
-    accepted_external        = values.at(1);
+    accepted_time = new_time                     = values.at(0);
+    accepted_external                            = values.at(1);
     const auto                              kept = read_values(in);
     std::array<double, Energies::n_entries> entries;
     std::copy_n(kept.begin(), entries.size(), entries.begin());

@@ -20,22 +20,19 @@ namespace
   {
     std::mt19937 engine{5};
 
-    double
-    operator()(const double size)
+    double operator()(const double size)
     {
       return std::uniform_real_distribution<double>(-size, size)(engine);
     }
 
-    Point<3>
-    point(const double size)
+    Point<3> point(const double size)
     {
       const double x = (*this)(size), y = (*this)(size), z = (*this)(size);
       return Point<3>(x, y, z);
     }
 
     /// A vector of exactly this length.
-    Tensor<1, 3>
-    direction(const double length)
+    Tensor<1, 3> direction(const double length)
     {
       const Tensor<1, 3> v = point(1.);
       return length / v.norm() * v;
@@ -45,8 +42,7 @@ namespace
   constexpr double reach = 0.3, skin = 0.2;
 
   /// A bumpy floor of n x n facets over [-1,1]^2.
-  ContactSurface
-  floor(Random &random, const unsigned int n)
+  ContactSurface floor(Random &random, const unsigned int n)
   {
     std::vector<Point<3>> x;
     std::vector<Facet>    facets;
@@ -62,8 +58,7 @@ namespace
     return ContactSurface(facets, x);
   }
 
-  std::vector<Point<3>>
-  slaves(Random &random)
+  std::vector<Point<3>> slaves(Random &random)
   {
     std::vector<Point<3>> result(100);
     for (auto &x : result)
@@ -72,29 +67,29 @@ namespace
   }
 
   /// Distance to a facet, sampled: never below the true one.
-  double
-  sampled_distance(const Point<3> &x, const FacetPositions &facet)
+  double sampled_distance(const Point<3> &x, const FacetPositions &facet)
   {
     double result = 1e10;
     for (int i = -10; i <= 10; ++i)
       for (int j = -10; j <= 10; ++j)
-        result = std::min(
-          result, (x - facet_frame(facet, {{0.1 * i, 0.1 * j}}).x).norm());
+        result =
+          std::min(result,
+                   (x - facet_frame(facet, {{0.1 * i, 0.1 * j}}).x).norm());
     return result;
   }
 
-  unsigned int
-  n_missed(const CandidateSearch       &search,
-           const ContactSurface        &master,
-           const std::vector<Point<3>> &x,
-           const double                 within)
+  unsigned int n_missed(const CandidateSearch       &search,
+                        const ContactSurface        &master,
+                        const std::vector<Point<3>> &x,
+                        const double                 within)
   {
     unsigned int missed = 0;
     for (unsigned int s = 0; s < x.size(); ++s)
       for (unsigned int f = 0; f < master.n_facets(); ++f)
         if (sampled_distance(x[s], master.facet_positions(f)) <= within &&
-            !std::binary_search(
-              search.candidates(s).begin(), search.candidates(s).end(), f))
+            !std::binary_search(search.candidates(s).begin(),
+                                search.candidates(s).end(),
+                                f))
           ++missed;
     return missed;
   }

@@ -26,22 +26,20 @@ namespace
     FrictionAnchor        anchor;
     std::vector<Point<3>> anchor_nodes;
 
-    ContactKinematics
-    kinematics() const
+    ContactKinematics kinematics() const
     {
-      return contact_kinematics(
-        *project_again(point, x_s, surface), x_s, surface);
+      return contact_kinematics(*project_again(point, x_s, surface),
+                                x_s,
+                                surface);
     }
 
-    unsigned int
-    n_dofs() const
+    unsigned int n_dofs() const
     {
       return 3 * (1 + point.n_nodes + anchor.n_nodes);
     }
 
     /// The same pair with entry @p j of q moved by @p h.
-    Pair
-    moved(const unsigned int j, const double h) const
+    Pair moved(const unsigned int j, const double h) const
     {
       Pair               result = *this;
       const unsigned int b = j / 3, c = j % 3;
@@ -59,8 +57,7 @@ namespace
       return result;
     }
 
-    void
-    place_anchor()
+    void place_anchor()
     {
       anchor.x = Point<3>();
       for (unsigned int i = 0; i < anchor.n_nodes; ++i)
@@ -72,14 +69,12 @@ namespace
   {
     std::mt19937 engine{20140711};
 
-    double
-    operator()(const double size)
+    double operator()(const double size)
     {
       return std::uniform_real_distribution<double>(-size, size)(engine);
     }
 
-    Point<3>
-    point(const double size, const bool in_plane)
+    Point<3> point(const double size, const bool in_plane)
     {
       const double x = (*this)(size), y = (*this)(size), z = (*this)(size);
       return Point<3>(x, y, in_plane ? 0. : z);
@@ -87,8 +82,7 @@ namespace
   };
 
   /// Two by two warped faces about a peaked (or dented) vertex, number 4.
-  ContactSurface
-  warped_faces(Random &random, const double peak)
+  ContactSurface warped_faces(Random &random, const double peak)
   {
     std::vector<Point<3>> x;
     for (unsigned int j = 0; j < 3; ++j)
@@ -103,8 +97,7 @@ namespace
   }
 
   /// Two lines about a peaked (or dented) node, number 1, body below.
-  ContactSurface
-  bent_lines(Random &random, const double peak)
+  ContactSurface bent_lines(Random &random, const double peak)
   {
     std::vector<Point<3>> x;
     for (unsigned int i = 0; i < 3; ++i)
@@ -134,8 +127,7 @@ namespace
 
   /// Penetrating and open pairs of every kind. @p slip [-]: distance of the
   /// stick point over the gap.
-  std::vector<Pair>
-  pairs(const double slip)
+  std::vector<Pair> pairs(const double slip)
   {
     Random            random;
     std::vector<Pair> result;
@@ -152,8 +144,8 @@ namespace
       for (const bool in_plane : {false, true})
         for (const double sign : {-1., 1.})
           {
-            const auto   surface = in_plane ? bent_lines(random, 0.4 * sign)
-                                            : warped_faces(random, 0.4 * sign);
+            const auto   surface = in_plane ? bent_lines(random, 0.4 * sign) :
+                                              warped_faces(random, 0.4 * sign);
             ContactPoint face{};
             face.kind       = ContactCase::face;
             face.facet      = 1;
@@ -197,11 +189,10 @@ namespace
 
   /// Largest difference between @p derivative (a column per entry of q) and
   /// central differences of @p values, over the largest derivative.
-  double
-  derivative_error(const Pair        &pair,
-                   const Values      &values,
-                   const Values      &derivative,
-                   const unsigned int n_dofs)
+  double derivative_error(const Pair        &pair,
+                          const Values      &values,
+                          const Values      &derivative,
+                          const unsigned int n_dofs)
   {
     const double h        = 1e-5;
     const bool   in_plane = pair.surface.n_dimensions() == 2;
@@ -230,8 +221,9 @@ namespace
   }
 
   template <typename Rows>
-  std::vector<double>
-  flat(const Rows &rows, const unsigned int n_rows, const unsigned int n_dofs)
+  std::vector<double> flat(const Rows        &rows,
+                           const unsigned int n_rows,
+                           const unsigned int n_dofs)
   {
     std::vector<double> result;
     for (unsigned int i = 0; i < n_rows; ++i)
@@ -239,13 +231,12 @@ namespace
     return result;
   }
 
-  std::string
-  name(const Pair &pair)
+  std::string name(const Pair &pair)
   {
     return std::string(pair.surface.n_dimensions() == 2 ? "2-D " : "3-D ") +
-           (pair.point.kind == ContactCase::face   ? "face"
-            : pair.point.kind == ContactCase::edge ? "edge"
-                                                   : "vertex") +
+           (pair.point.kind == ContactCase::face ? "face" :
+            pair.point.kind == ContactCase::edge ? "edge" :
+                                                   "vertex") +
            (pair.point.gap < 0. ? ", closed" : ", open");
   }
 
@@ -292,8 +283,9 @@ namespace
         const auto kin = pair.kinematics();
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int j = 0; j < kin.n_dofs(); ++j)
-            EXPECT_NEAR(
-              kin.gap_dnormal[i][j], kin.gap * kin.dnormal[i][j], 1e-14);
+            EXPECT_NEAR(kin.gap_dnormal[i][j],
+                        kin.gap * kin.dnormal[i][j],
+                        1e-14);
       }
   }
 
@@ -331,8 +323,7 @@ namespace
       }
   }
 
-  std::vector<double>
-  normal_residual(const Pair &pair)
+  std::vector<double> normal_residual(const Pair &pair)
   {
     std::array<double, 15>                 R;
     std::array<std::array<double, 15>, 15> K;
@@ -341,8 +332,7 @@ namespace
     return std::vector<double>(R.begin(), R.begin() + kin.n_dofs());
   }
 
-  std::vector<double>
-  normal_tangent(const Pair &pair)
+  std::vector<double> normal_tangent(const Pair &pair)
   {
     std::array<double, 15>                 R;
     std::array<std::array<double, 15>, 15> K;
@@ -369,10 +359,11 @@ namespace
   TEST(normal_contact_force, tangent_matches_differences)
   {
     for (const Pair &pair : pairs(0.1))
-      EXPECT_LT(
-        derivative_error(
-          pair, normal_residual, normal_tangent, pair.kinematics().n_dofs()),
-        1e-6)
+      EXPECT_LT(derivative_error(pair,
+                                 normal_residual,
+                                 normal_tangent,
+                                 pair.kinematics().n_dofs()),
+                1e-6)
         << name(pair);
   }
 
@@ -416,22 +407,19 @@ namespace
 
   constexpr FrictionPenalties penalties{50., 20., 0.3};
 
-  std::vector<double>
-  friction_residual(const Pair &pair)
+  std::vector<double> friction_residual(const Pair &pair)
   {
     const auto F = friction_force(pair.kinematics(), pair.anchor, penalties);
     return std::vector<double>(F.R.begin(), F.R.begin() + F.n_dofs);
   }
 
-  std::vector<double>
-  friction_tangent(const Pair &pair)
+  std::vector<double> friction_tangent(const Pair &pair)
   {
     const auto F = friction_force(pair.kinematics(), pair.anchor, penalties);
     return flat(F.K, F.n_dofs, F.n_dofs);
   }
 
-  void
-  check_friction_tangent(const double slip, const FrictionState expected)
+  void check_friction_tangent(const double slip, const FrictionState expected)
   {
     unsigned int n_faces = 0, n_edges = 0, n_vertices = 0;
     for (const Pair &pair : pairs(slip))
@@ -443,8 +431,10 @@ namespace
         n_faces += pair.point.kind == ContactCase::face;
         n_edges += pair.point.kind == ContactCase::edge;
         n_vertices += pair.point.kind == ContactCase::vertex;
-        EXPECT_LT(derivative_error(
-                    pair, friction_residual, friction_tangent, pair.n_dofs()),
+        EXPECT_LT(derivative_error(pair,
+                                   friction_residual,
+                                   friction_tangent,
+                                   pair.n_dofs()),
                   1e-6)
           << name(pair);
       }

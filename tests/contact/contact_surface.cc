@@ -25,19 +25,17 @@ namespace
 
   constexpr unsigned int no_facet = dealii::numbers::invalid_unsigned_int;
 
-  Tensor<1, 3>
-  vector(const double x, const double y, const double z)
+  Tensor<1, 3> vector(const double x, const double y, const double z)
   {
     return Point<3>(x, y, z);
   }
 
   /// Searches among all facets.
-  std::optional<ContactPoint>
-  find(const Point<3>       &x,
-       const Tensor<1, 3>   &n,
-       const ContactSurface &surface,
-       const ContactLimits  &limits     = {1., 1.},
-       const unsigned int    last_facet = no_facet)
+  std::optional<ContactPoint> find(const Point<3>       &x,
+                                   const Tensor<1, 3>   &n,
+                                   const ContactSurface &surface,
+                                   const ContactLimits  &limits     = {1., 1.},
+                                   const unsigned int    last_facet = no_facet)
   {
     std::vector<unsigned int> all(surface.n_facets());
     std::iota(all.begin(), all.end(), 0);
@@ -46,8 +44,7 @@ namespace
 
   /// The box |x_i| <= half, n x n facets a side, normals outward; reversed:
   /// the cavity of that shape.
-  ContactSurface
-  box(const double half, const int n, const bool reversed)
+  ContactSurface box(const double half, const int n, const bool reversed)
   {
     std::map<std::array<int, 3>, unsigned int> number;
     std::vector<Point<3>>                      x;
@@ -73,7 +70,8 @@ namespace
                 return node(index);
               };
               Facet f{
-                {{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}}, 4};
+                {{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}},
+                4};
               if ((side == 0) != reversed)
                 std::swap(f.nodes[1], f.nodes[3]);
               facets.push_back(f);
@@ -140,8 +138,7 @@ namespace
   }
 
   /// Turns by 30 degrees about the axis (1,2,2)/3, Rodrigues' formula.
-  Tensor<1, 3>
-  turned(const Tensor<1, 3> &v)
+  Tensor<1, 3> turned(const Tensor<1, 3> &v)
   {
     const auto   k = vector(1, 2, 2) / 3.;
     const double c = std::cos(M_PI / 6.), s = std::sin(M_PI / 6.);
@@ -236,8 +233,9 @@ namespace
 
   TEST(contact_surface, rejects_neighbours_with_opposite_normals)
   {
-    const std::vector<Point<3>> x{
-      Point<3>(0, 0, 0), Point<3>(1, 0, 0), Point<3>(2, 0, 0)};
+    const std::vector<Point<3>> x{Point<3>(0, 0, 0),
+                                  Point<3>(1, 0, 0),
+                                  Point<3>(2, 0, 0)};
     const Facet first{{{0, 1, 0, 0}}, 2}, wrong{{{2, 1, 0, 0}}, 2};
     EXPECT_THROW(ContactSurface({first, wrong}, x), dealii::ExceptionBase);
     const Facet right{{{1, 2, 0, 0}}, 2};

@@ -20,19 +20,17 @@ namespace
 
   constexpr unsigned int no_facet = dealii::numbers::invalid_unsigned_int;
 
-  Tensor<1, 3>
-  vector(const double x, const double y, const double z)
+  Tensor<1, 3> vector(const double x, const double y, const double z)
   {
     return Point<3>(x, y, z);
   }
 
   /// Searches among all facets.
-  std::optional<ContactPoint>
-  find(const Point<3>       &x,
-       const Tensor<1, 3>   &n,
-       const ContactSurface &surface,
-       const ContactLimits  &limits     = {1., 1.},
-       const unsigned int    last_facet = no_facet)
+  std::optional<ContactPoint> find(const Point<3>       &x,
+                                   const Tensor<1, 3>   &n,
+                                   const ContactSurface &surface,
+                                   const ContactLimits  &limits     = {1., 1.},
+                                   const unsigned int    last_facet = no_facet)
   {
     std::vector<unsigned int> all(surface.n_facets());
     std::iota(all.begin(), all.end(), 0);
@@ -40,8 +38,7 @@ namespace
   }
 
   /// Lines through points of the x-y plane, body to the left.
-  ContactSurface
-  polyline(const std::vector<Point<3>> &x)
+  ContactSurface polyline(const std::vector<Point<3>> &x)
   {
     std::vector<Facet> facets;
     for (unsigned int i = 0; i + 1 < x.size(); ++i)
@@ -50,10 +47,9 @@ namespace
   }
 
   /// A polyline drawn out along e_z, n facets wide: the same outside.
-  ContactSurface
-  extruded(const std::vector<Point<3>> &x,
-           const unsigned int           n,
-           const double                 dz)
+  ContactSurface extruded(const std::vector<Point<3>> &x,
+                          const unsigned int           n,
+                          const double                 dz)
   {
     std::vector<Point<3>> nodes;
     std::vector<Facet>    facets;
@@ -77,8 +73,9 @@ namespace
   TEST(find_contact, penetrated_concave_corner_is_found_at_its_edge)
   {
     const double r     = 0.1 * std::sqrt(2.);
-    const auto   plane = find(
-      Point<3>(-0.1, -0.1, 0), vector(-1, -1, 0), polyline(concave_corner));
+    const auto   plane = find(Point<3>(-0.1, -0.1, 0),
+                            vector(-1, -1, 0),
+                            polyline(concave_corner));
     ASSERT_TRUE(plane);
     EXPECT_EQ(plane->kind, ContactCase::vertex);
     EXPECT_EQ(plane->nodes[0], 1u);
@@ -123,8 +120,10 @@ namespace
     EXPECT_EQ(find(middle, n, valley)->facet, 0u);
 
     // On the common edge of a flat floor rounding alone decides otherwise.
-    const auto floor = extruded(
-      {Point<3>(2.1, 0, 0), Point<3>(1.1, 0, 0), Point<3>(0, 0, 0)}, 1, 1.);
+    const auto floor =
+      extruded({Point<3>(2.1, 0, 0), Point<3>(1.1, 0, 0), Point<3>(0, 0, 0)},
+               1,
+               1.);
     const Point<3> above(1.1, 1e-14, 0.3);
     EXPECT_EQ(find(above, n, floor, {1., 1.}, 1)->facet, 1u);
     EXPECT_EQ(find(above, n, floor, {1., 1.}, 0)->facet, 0u);
@@ -213,8 +212,7 @@ namespace
   }
 
   /// A lamella 0.4 mm thick about x = @p x, its tip at y = 0.
-  std::vector<Point<3>>
-  lamella(const double x)
+  std::vector<Point<3>> lamella(const double x)
   {
     return {Point<3>(x - 0.2, 2, 0),
             Point<3>(x - 0.2, 0, 0),
@@ -261,8 +259,9 @@ namespace
     // Outside the body x < 0, y < 0, close to its side, looking down: the top
     // opposes but does not hold the foot; the side holds it but does not
     // oppose. By the sign at the edge alone the node would be 0.5 mm inside.
-    const std::vector<Point<3>> body{
-      Point<3>(0, -2, 0), Point<3>(0, 0, 0), Point<3>(-2, 0, 0)};
+    const std::vector<Point<3>> body{Point<3>(0, -2, 0),
+                                     Point<3>(0, 0, 0),
+                                     Point<3>(-2, 0, 0)};
     EXPECT_FALSE(
       find(Point<3>(0.05, -0.5, 0), vector(0, -1, 0), polyline(body)));
     EXPECT_FALSE(
@@ -274,12 +273,14 @@ namespace
     // A corner whose wall is 0.3 mm thick; behind it, across 0.4 mm of air,
     // stands another wall that opposes the node just as well.
     auto                     x = concave_corner;
-    const std::vector<Facet> facets{
-      {{{0, 1, 0, 0}}, 2}, {{{1, 2, 0, 0}}, 2}, {{{3, 4, 0, 0}}, 2}};
+    const std::vector<Facet> facets{{{{0, 1, 0, 0}}, 2},
+                                    {{{1, 2, 0, 0}}, 2},
+                                    {{{3, 4, 0, 0}}, 2}};
     x.push_back(Point<3>(-0.7, -2, 0));
     x.push_back(Point<3>(-0.7, 2, 0));
-    const auto found = find(
-      Point<3>(-0.01, -0.01, 0), vector(-1, -1, 0), ContactSurface(facets, x));
+    const auto found = find(Point<3>(-0.01, -0.01, 0),
+                            vector(-1, -1, 0),
+                            ContactSurface(facets, x));
     ASSERT_TRUE(found);
     EXPECT_EQ(found->kind, ContactCase::vertex);
     EXPECT_NEAR(found->gap, -0.01 * std::sqrt(2.), 1e-15);

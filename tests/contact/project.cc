@@ -14,14 +14,12 @@ namespace
   using dealii::Point;
   using dealii::Tensor;
 
-  Tensor<1, 3>
-  vector(const double x, const double y, const double z)
+  Tensor<1, 3> vector(const double x, const double y, const double z)
   {
     return Point<3>(x, y, z);
   }
 
-  FacetPositions
-  warped_facet(std::mt19937 &engine, const double size)
+  FacetPositions warped_facet(std::mt19937 &engine, const double size)
   {
     std::uniform_real_distribution<double> random(-size, size);
     FacetPositions                         facet{{{Point<3>(0, 0, 0),

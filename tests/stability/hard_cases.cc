@@ -79,9 +79,9 @@ namespace demold
       {
         const std::string entry = "Contact/penalty=" + penalty;
         expect_completed(run_nts("hertz.prm", {entry}));
-        expect_completed(run_nts(
-          "pull-off.prm",
-          {entry, "Pull/velocity=2*cos(2*pi*t)", "Pull/opening=1.2"}));
+        expect_completed(
+          run_nts("pull-off.prm",
+                  {entry, "Pull/velocity=2*cos(2*pi*t)", "Pull/opening=1.2"}));
       }
   }
 
@@ -91,9 +91,9 @@ namespace demold
       {
         const std::string entry = "Contact/penalty=" + penalty;
         expect_completed_or_reason(run_nts("hertz.prm", {entry}));
-        expect_completed_or_reason(run_nts(
-          "pull-off.prm",
-          {entry, "Pull/velocity=2*cos(2*pi*t)", "Pull/opening=1.2"}));
+        expect_completed_or_reason(
+          run_nts("pull-off.prm",
+                  {entry, "Pull/velocity=2*cos(2*pi*t)", "Pull/opening=1.2"}));
       }
   }
 
@@ -111,42 +111,39 @@ namespace demold
   TEST(HardCases, a_block_slides_off_the_end_of_the_master)
   {
     for (const std::string friction : {"0", "0.3"})
-      expect_completed(
-        run_nts("sliding-block.prm",
-                elastic_block("8*max(t-1,0)", "-0.05*min(t,1)") +
-                  Entries{"Friction/coefficient=" + friction,
-                          "Mould/to=14",
-                          "Solution/largest increment=0.01"}));
+      expect_completed(run_nts("sliding-block.prm",
+                               elastic_block("8*max(t-1,0)", "-0.05*min(t,1)") +
+                                 Entries{"Friction/coefficient=" + friction,
+                                         "Mould/to=14",
+                                         "Solution/largest increment=0.01"}));
   }
 
   TEST(HardCases, a_block_in_space_crosses_edges_and_a_corner_of_the_master)
   {
-    expect_completed(
-      run_nts("sliding-block.prm",
-              elastic_block("3*max(t-1,0)", "1.5*max(t-1,0)") +
-                Entries{"dimension=3",
-                        "Supports/driven=top xyz",
-                        "Supports/motion z=-0.05*min(t,1)",
-                        "Body/lower corner=0, 0, 0",
-                        "Body/size=6, 4, 2",
-                        "Body/cells=5, 4, 2",
-                        "Mould/from=-5, -3",
-                        "Mould/to=7.3, 4.4",
-                        "Mould/facets=7, 5"}));
+    expect_completed(run_nts("sliding-block.prm",
+                             elastic_block("3*max(t-1,0)", "1.5*max(t-1,0)") +
+                               Entries{"dimension=3",
+                                       "Supports/driven=top xyz",
+                                       "Supports/motion z=-0.05*min(t,1)",
+                                       "Body/lower corner=0, 0, 0",
+                                       "Body/size=6, 4, 2",
+                                       "Body/cells=5, 4, 2",
+                                       "Mould/from=-5, -3",
+                                       "Mould/to=7.3, 4.4",
+                                       "Mould/facets=7, 5"}));
   }
 
   TEST(HardCases, a_block_is_pushed_into_a_corner_of_90_degree)
   {
     for (const std::string name : {"quasi-static", "dynamics"})
-      expect_completed(
-        run_nts("sliding-block.prm",
-                elastic_block("-0.3*t", "-0.2*t") +
-                  Entries{"Body/slave=bottom, left",
-                          "Mould/shape=polyline",
-                          "Mould/corners=20, 0; 0, 0; 0, 10",
-                          "Mould/facets=7",
-                          "Process/end time=1",
-                          strategy(name)}));
+      expect_completed(run_nts("sliding-block.prm",
+                               elastic_block("-0.3*t", "-0.2*t") +
+                                 Entries{"Body/slave=bottom, left",
+                                         "Mould/shape=polyline",
+                                         "Mould/corners=20, 0; 0, 0; 0, 10",
+                                         "Mould/facets=7",
+                                         "Process/end time=1",
+                                         strategy(name)}));
   }
 
   TEST(HardCases, separation_and_renewed_contact_complete)
@@ -172,19 +169,18 @@ namespace demold
   {
     for (const std::string friction : {"0", "5"})
       for (const std::string name : {"quasi-static", "dynamics"})
-        expect_completed(
-          run_nts("sliding-block.prm",
-                  elastic_block("0.3*max(t-1,0)", "-0.02*min(t,1)") +
-                    Entries{"Friction/coefficient=" + friction,
-                            strategy(name)}));
+        expect_completed(run_nts(
+          "sliding-block.prm",
+          elastic_block("0.3*max(t-1,0)", "-0.02*min(t,1)") +
+            Entries{"Friction/coefficient=" + friction, strategy(name)}));
   }
 
   TEST(HardCases, increments_of_a_microsecond_complete_without_false_work)
   {
     const SceneRun run  = run_slice({"Solution/first increment=1e-6",
-                                    "Solution/largest increment=1e-5",
-                                    "Solution/growth=1",
-                                    "Pull/opening=0.005"});
+                                     "Solution/largest increment=1e-5",
+                                     "Solution/growth=1",
+                                     "Pull/opening=0.005"});
     const double   work = run.number("work of demolding [mJ]");
     expect_completed(run);
     EXPECT_GT(work, 0.);
@@ -196,10 +192,9 @@ namespace demold
   TEST(HardCases, the_whole_opening_in_one_increment_completes_or_says_why)
   {
     for (const std::string name : {"quasi-static", "dynamics"})
-      expect_completed_or_reason(
-        run_slice({"Solution/first increment=1",
-                   "Solution/largest increment=1",
-                   strategy(name)}));
+      expect_completed_or_reason(run_slice({"Solution/first increment=1",
+                                            "Solution/largest increment=1",
+                                            strategy(name)}));
   }
 
   TEST(HardCases, where_no_equilibrium_is_near_the_reason_names_the_remedy)

@@ -8,7 +8,7 @@ namespace demold
 {
   namespace
   {
-    SceneRun run_demold(const std::string &             scene,
+    SceneRun run_demold(const std::string              &scene,
                         const std::vector<std::string> &overrides = {})
     {
       return run_scene(DEMOLD_STEP_DEMOLD,
@@ -85,13 +85,13 @@ namespace demold
     // less the slots they lose; flanks and tips of the slots, which follow the
     // draft of the walls at their ends.
     const double t = std::tan(3. * degree), c = std::cos(3. * degree);
-    const double wall = (20. + 8. * t) * 8. / c;
-    const double s    = std::tan(.5 * degree);
+    const double wall         = (20. + 8. * t) * 8. / c;
+    const double s            = std::tan(.5 * degree);
     const double slot_in_wall = (.6 + (.6 - 2. * 6. * s)) / 2. * 6. / c;
     const double flank = 2. * (20. + 6. * t) * 6. / std::cos(.5 * degree);
     const double tip   = (.6 - 2. * 6. * s) * (20. + 2. * 6. * t);
-    const double area  = 400. - 2. * .6 * 20. + 4. * wall +
-                        2. * (flank + tip - 2. * slot_in_wall);
+    const double area =
+      400. - 2. * .6 * 20. + 4. * wall + 2. * (flank + tip - 2. * slot_in_wall);
     EXPECT_NEAR(run.number("adhesion dissipation [mJ]"),
                 G_c * area,
                 .005 * G_c * area);

@@ -106,7 +106,8 @@ namespace
   /// direct solver adds up contributions in the order of their arrival.
   double repetition()
   {
-    return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ? 0. : 1e-10;
+    return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ? 0. :
+                                                                          1e-10;
   }
 
   void advance(BlockOnMould &block, const unsigned int n)
@@ -206,9 +207,7 @@ TEST(Checkpoint, of_a_weak_form_is_bitwise_and_complete)
         {
           advance(block, 1);
           advance(restarted, 1);
-          expect_same_state(restarted,
-                            block,
-                            std::max(1e-12, repetition()));
+          expect_same_state(restarted, block, std::max(1e-12, repetition()));
         }
     }
 }
