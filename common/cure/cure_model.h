@@ -14,9 +14,15 @@
 
 namespace demold
 {
-  /// alpha over f90 of a natural rubber compound at 160 degC (theory A.3), from
-  /// alpha = 0 at f90 = 0 to 0.988 at f90 = 1.5.
-  MonotoneTable default_conversion();
+  /// alpha over f90, two lists of the same length.
+  struct Conversion
+  {
+    std::vector<double> f90, degree;
+  };
+
+  /// Of a natural rubber compound at 160 degC (theory A.3), from alpha = 0 at
+  /// f90 = 0 to 0.988 at f90 = 1.5.
+  Conversion default_conversion();
 
   /// How a compound cures.
   struct CureModel
@@ -28,7 +34,8 @@ namespace demold
     std::optional<Kinetics> kinetics;
 
     /// ... and where there is none: alpha over f90, held outside the table.
-    MonotoneTable conversion = default_conversion();
+    MonotoneTable conversion = {default_conversion().f90,
+                                default_conversion().degree};
   };
 
   /// The state of cure of a point; zeros are a raw compound.

@@ -18,20 +18,8 @@ namespace demold
   }
 
   CureParameters::CureParameters()
-    : conversion_f90({0., .4, .5, .55, .6, .65, .7, .75, .8, .9, 1., 1.2, 1.5})
-    , conversion_degree({0.,
-                         .028,
-                         .05,
-                         .077,
-                         .172,
-                         .383,
-                         .551,
-                         .672,
-                         .752,
-                         .848,
-                         .9,
-                         .954,
-                         .988})
+    : conversion_f90(default_conversion().f90)
+    , conversion_degree(default_conversion().degree)
   {}
 
 
