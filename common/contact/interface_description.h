@@ -13,14 +13,25 @@
 
 namespace demold
 {
+  /// Gap [mm] that counts as touching: surfaces that meet at the start hold
+  /// each other in the first iteration.
+  constexpr double touching_gap = 1e-10;
+
   /// What acts between the surfaces.
   struct InterfaceDescription
   {
-    double                     penalty          = 200.; ///< c_N [MPa/mm]
-    double                     search_distance  = 1.;   ///< [mm]
-    double                     skin             = .5;   ///< [mm]
-    double                     friction         = 0.;   ///< mu [-], 0: none
-    double                     friction_penalty = 50.;  ///< c_T [MPa/mm]
+    double penalty          = 200.; ///< c_N [MPa/mm]
+    double search_distance  = 1.;   ///< [mm]
+    double skin             = .5;   ///< [mm]
+    double friction         = 0.;   ///< mu [-], 0: none
+    double friction_penalty = 50.;  ///< c_T [MPa/mm]
+
+    // Of the mortar form.
+    double       augmentation     = 0.; ///< c_N [MPa/mm]; 0: chosen, theory C8
+    double       stiffness        = 1.; ///< E [MPa] of the rubber, to choose it
+    bool         dual_multipliers = false;
+    unsigned int quadrature_order = 5; ///< degree integrated exactly
+
     std::optional<AdhesionLaw> adhesion;
 
     /// Is this reference position bonded at the start?

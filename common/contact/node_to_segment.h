@@ -5,39 +5,12 @@
 
 #include "contact/contact_kinematics.h"
 #include "contact/interface_description.h"
+#include "contact/interface_term.h"
 #include "contact/point_history.h"
 #include "contact/surface_pair.h"
-#include "weak_form/term.h"
 
 namespace demold
 {
-  /// States of theory C.5 of points without a bond that holds.
-  constexpr int state_contact = 4, state_slip = 5, state_free = 6;
-
-  /// One slave point as others see it.
-  struct PointReport
-  {
-    BoundarySurface::Node node;
-    double                area;     ///< [mm^2]
-    double                gap;      ///< [mm], 1e300: nothing near
-    double                pressure; ///< [MPa], compression positive
-    dealii::Tensor<1, 3>  force;    ///< [N] on the rubber
-    bool                  bonded;   ///< carries a bond that is not ruptured
-    double                damage;   ///< kappa over rupture gap, 0 to 1
-    int                   state;    ///< theory C.5, 0 to 5; 6: free
-    double                separation_time; ///< [s], -1: never
-  };
-
-  /// Sums over all slave points and ranks.
-  struct InterfaceSums
-  {
-    dealii::Tensor<1, 3> force;       ///< [N] of the mould on the rubber
-    double               area   = 0.; ///< [mm^2] of the slave surface
-    double               bonded = 0.; ///< [mm^2] with a bond
-    double               closed = 0.; ///< [mm^2] under pressure
-    unsigned int         points = 0;
-  };
-
   /// Node-to-segment contact (thesis 3.1, 5.2): every slave point is held off
   /// the master by the penalty c_N, rubs by the moving friction cone and is
   /// tied to its anchor by the adhesion law (theory C.2, C.3). Forces are per
@@ -45,7 +18,7 @@ namespace demold
   /// start of the increment. All tangents are exact in the first iterations,
   /// before states are frozen. With a rigid master, mixing with a = b^2 and no
   /// friction they are symmetric.
-  class NodeToSegment : public Term
+  class NodeToSegment : public InterfaceTerm
   {
   public:
     NodeToSegment(BoundarySurface             slave,
@@ -76,13 +49,8 @@ namespace demold
     void                     save(std::ostream &) const override;
     void                     load(std::istream &) override;
 
-    /// Points of this rank in the trial state.
-    std::vector<PointReport> report() const;
-
-    InterfaceSums sums() const;
-
-    /// Seconds spent in search and assembly.
-    double seconds = 0.;
+    std::vector<PointReport> report() const override;
+    InterfaceSums            sums() const override;
 
   private:
     /// Sums of the trial increment over the points of this rank.

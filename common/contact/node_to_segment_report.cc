@@ -10,13 +10,6 @@ namespace demold
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// Decohesion of one increment may cost this share of G_c A of the nodes
-    /// that let go (theory D.4, step rule).
-    constexpr double tolerated_decohesion = .1;
-  } // namespace
-
   unsigned int NodeToSegment::n_state_changes() const
   {
     return state_changes;
@@ -26,13 +19,10 @@ namespace demold
   {
     if (!description.adhesion)
       return {};
-    const double lost  = Utilities::MPI::sum(increment.lost, communicator);
-    const double front = Utilities::MPI::sum(increment.front, communicator);
-    if (front <= 0.)
-      return {};
-    return {lost / (tolerated_decohesion *
-                    description.adhesion->fracture_energy() * front),
-            1.};
+    return decohesion_error(*description.adhesion,
+                            increment.lost,
+                            increment.front,
+                            communicator);
   }
 
   std::vector<ClosedPoint> NodeToSegment::closed_points() const

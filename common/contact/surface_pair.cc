@@ -2,6 +2,8 @@
 // Slave points and master where they are now, and which point meets what.
 #include "contact/surface_pair.h"
 
+#include "contact/current_positions.h"
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -13,28 +15,6 @@ namespace demold
 
   namespace
   {
-    Point<3> current(const BoundarySurface::Node &node,
-                     const Vector                &u,
-                     const unsigned int           dim)
-    {
-      Point<3> x = node.X;
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] += u(node.unknowns[d]);
-      return x;
-    }
-
-    std::vector<Point<3>>
-    current(const std::vector<BoundarySurface::Node> &nodes,
-            const Vector                             &u,
-            const unsigned int                        dim)
-    {
-      std::vector<Point<3>> x;
-      x.reserve(nodes.size());
-      for (const auto &node : nodes)
-        x.push_back(current(node, u, dim));
-      return x;
-    }
-
     std::vector<SlavePoint> points_of_rank(const BoundarySurface &slave,
                                            const ContactSurface  &topology,
                                            const PlaneModel      &plane,
@@ -81,8 +61,9 @@ namespace demold
       other_side.move_to(state.time);
     else
       other_side.surface.set_positions(
-        current(other_side.nodes, state.u, dim()));
-    const std::vector<Point<3>> x_slave = current(slave.nodes, state.u, dim());
+        current_positions(other_side.nodes, state.u, dim()));
+    const std::vector<Point<3>> x_slave =
+      current_positions(slave.nodes, state.u, dim());
     slave_surface.set_positions(x_slave);
     for (unsigned int p = 0; p < points.size(); ++p)
       x_points[p] = x_slave[points[p].node];
@@ -176,7 +157,7 @@ namespace demold
       }
     const Point<3> x_old =
       other_side.carried(state.time - state.dt,
-                         current(node(p), state.u_old, dim()));
+                         current_position(node(p), state.u_old, dim()));
     const Tensor<1, 3> &n       = found.mean_normal;
     const double        old_gap = found.gap + n * (x_old - x_points[p]);
     return old_gap > -.01 * points[p].depth;

@@ -22,9 +22,7 @@
 
 namespace demold
 {
-  /// Gap [mm] that counts as touching: surfaces that meet at the start hold
-  /// each other in the first iteration.
-  constexpr double touching_gap = 1e-10;
+
 
   /// The two surfaces of an interface with the slave points of this rank.
   ///

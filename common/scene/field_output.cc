@@ -110,7 +110,7 @@ namespace demold
 
   template <int dim>
   std::vector<typename FieldOutput<dim>::PointField>
-  FieldOutput<dim>::point_fields(const NodeToSegment &interface) const
+  FieldOutput<dim>::point_fields(const InterfaceTerm &interface) const
   {
     std::vector<PointField> fields = {{"contact_pressure", 0., {}},
                                       {"damage", 0., {}},
@@ -136,7 +136,7 @@ namespace demold
 
   template <int dim>
   void FieldOutput<dim>::write(const Vector        &displacement,
-                               const NodeToSegment *interface,
+                               const InterfaceTerm *interface,
                                const double         time)
   {
     DataOut<dim> data;

@@ -3,7 +3,7 @@
 #ifndef demold_scene_field_output_h
 #define demold_scene_field_output_h
 
-#include "contact/node_to_segment.h"
+#include "contact/interface_term.h"
 #include "scene/file_series.h"
 #include "solid/cell_results.h"
 #include "weak_form/algebra.h"
@@ -39,7 +39,7 @@ namespace demold
     /// Collective. @p displacement owned entries; @p interface may be null;
     /// @p time [s].
     void write(const Vector        &displacement,
-               const NodeToSegment *interface,
+               const InterfaceTerm *interface,
                double               time);
 
     FileSeries series;
@@ -53,7 +53,7 @@ namespace demold
       std::map<dealii::types::global_dof_index, double> values;
     };
 
-    std::vector<PointField> point_fields(const NodeToSegment &interface) const;
+    std::vector<PointField> point_fields(const InterfaceTerm &interface) const;
     void                    find_nodes();
 
     const dealii::DoFHandler<dim, dim>    &dof_handler;

@@ -18,16 +18,33 @@ namespace demold
     prm.enter_subsection("Contact");
     prm.add_parameter("formulation",
                       formulation,
-                      "how touching surfaces are paired",
-                      Patterns::Selection("none|node to segment"));
+                      "how touching surfaces are paired: node to segment by "
+                      "penalties, or mortar by multipliers",
+                      Patterns::Selection("none|node to segment|mortar"));
     prm.add_parameter("penalty",
                       penalty,
-                      "c_N pressure per penetration [MPa/mm]",
+                      "c_N pressure per penetration of node to segment "
+                      "[MPa/mm]",
                       Patterns::Double(1e-12));
     prm.add_parameter("search distance",
                       search_distance,
                       "largest gap at which a node looks for a facet [mm]",
                       Patterns::Double(1e-12));
+    prm.add_parameter("augmentation",
+                      augmentation,
+                      "c_N of mortar: no result depends on it; 0: chosen from "
+                      "the stiffness of rubber and bond [MPa/mm]",
+                      Patterns::Double(0.));
+    prm.add_parameter("multipliers",
+                      multipliers,
+                      "of mortar: standard, shaped as the displacements, or "
+                      "dual, biorthogonal to them",
+                      Patterns::Selection("standard|dual"));
+    prm.add_parameter("quadrature order",
+                      quadrature_order,
+                      "degree that the points on a mortar segment integrate "
+                      "exactly [-]",
+                      Patterns::Integer(2, 5));
     prm.leave_subsection();
     prm.enter_subsection("Friction");
     prm.add_parameter("coefficient",
@@ -48,9 +65,36 @@ namespace demold
     prm.leave_subsection();
   }
 
-  void InterfaceParameters::check() const
+  void InterfaceParameters::check_mortar(const std::string &element) const
   {
-    adhesion.check();
+    adhesion.check_without_penalty();
+    if (element == "q2")
+      throw ExcParameter("Contact/formulation",
+                         "mortar needs element = q1 or q1p0; got q2. Choose "
+                         "one of them, or node to segment.");
+    if (!adhesion.active())
+      return;
+    if (adhesion.unloading != "damage")
+      throw ExcParameter("Adhesion/unloading",
+                         "must be damage with Contact/formulation = mortar; "
+                         "got " +
+                           adhesion.unloading +
+                           ". Choose damage, or node to segment.");
+    const double least = adhesion.strength / adhesion.rupture_gap;
+    if (augmentation > 0. && augmentation <= least)
+      throw ExcParameter("Contact/augmentation",
+                         "must exceed the steepest softening of the bond, " +
+                           std::to_string(least) + " MPa/mm; got " +
+                           std::to_string(augmentation) +
+                           " MPa/mm. Take 10 times that, or 0.");
+  }
+
+  void InterfaceParameters::check(const std::string &element) const
+  {
+    if (is_mortar())
+      check_mortar(element);
+    else
+      adhesion.check();
     Expression(bonded, "Adhesion/bonded where");
     if (!active() && adhesion.active())
       throw ExcParameter("Adhesion/law",
@@ -65,9 +109,14 @@ namespace demold
   }
 
   InterfaceDescription
-  InterfaceParameters::description(const PlaneModel &plane) const
+  InterfaceParameters::description(const PlaneModel &plane,
+                                   const double      stiffness) const
   {
     InterfaceDescription result;
+    result.augmentation     = augmentation;
+    result.stiffness        = stiffness;
+    result.dual_multipliers = multipliers == "dual";
+    result.quadrature_order = quadrature_order;
     result.penalty          = penalty;
     result.search_distance  = search_distance;
     result.skin             = .5 * search_distance;

@@ -4,7 +4,7 @@
 #define demold_scene_interface_parameters_h
 
 #include "adhesion/adhesion_parameters.h"
-#include "contact/node_to_segment.h"
+#include "contact/interface_description.h"
 
 #include <string>
 
@@ -15,22 +15,37 @@ namespace demold
   {
     std::string        formulation      = "node to segment";
     double             penalty          = 200.; ///< c_N [MPa/mm]
-    double             search_distance  = 1.;   ///< [mm]
-    double             friction         = 0.;   ///< mu [-]
-    double             friction_penalty = 50.;  ///< c_T [MPa/mm]
+    double             augmentation     = 0.;   ///< c_N of mortar [MPa/mm]
+    std::string        multipliers      = "standard"; ///< | dual
+    unsigned int       quadrature_order = 5;
+    double             search_distance  = 1.;  ///< [mm]
+    double             friction         = 0.;  ///< mu [-]
+    double             friction_penalty = 50.; ///< c_T [MPa/mm]
     std::string        bonded           = "1";
     AdhesionParameters adhesion;
 
     void add_parameters(dealii::ParameterHandler &prm);
-    void check() const;
+
+    /// @p element of the rubber, which not every formulation can use.
+    void check(const std::string &element) const;
 
     bool active() const
     {
       return formulation != "none";
     }
 
-    /// The description the contact term is made from.
-    InterfaceDescription description(const PlaneModel &plane) const;
+    bool is_mortar() const
+    {
+      return formulation == "mortar";
+    }
+
+    /// The description the contact term is made from; @p stiffness [MPa] is
+    /// Young's modulus of the rubber.
+    InterfaceDescription description(const PlaneModel &plane,
+                                     const double      stiffness) const;
+
+  private:
+    void check_mortar(const std::string &element) const;
   };
 } // namespace demold
 

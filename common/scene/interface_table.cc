@@ -2,7 +2,7 @@
 // interface.csv: a row per slave point, as the run has left it.
 #include "scene/interface_table.h"
 
-#include "contact/node_to_segment.h"
+#include "contact/interface_term.h"
 #include "output/result_table.h"
 
 #include <deal.II/base/mpi.h>
@@ -59,7 +59,7 @@ namespace demold
   } // namespace
 
   void write_interface_table(const std::string   &file,
-                             const NodeToSegment &interface)
+                             const InterfaceTerm &interface)
   {
     const auto parts =
       Utilities::MPI::gather(MPI_COMM_WORLD, rows_of(interface.report()));

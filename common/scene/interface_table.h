@@ -7,7 +7,7 @@
 
 namespace demold
 {
-  class NodeToSegment;
+  class InterfaceTerm;
 
   /// Writes the slave points of all ranks to @p file, ordered by reference
   /// position x, then y, then z; collective. Columns: that position, nodal
@@ -17,7 +17,7 @@ namespace demold
   /// (0 to 5; 6: free) and the time of separation (empty: never). A reduced
   /// model lists the points it has.
   void write_interface_table(const std::string   &file,
-                             const NodeToSegment &interface);
+                             const InterfaceTerm &interface);
 } // namespace demold
 
 #endif

@@ -2,7 +2,7 @@
 // summary.json of a run: how it ended, what it found, what it cost.
 #include "scene/run_summary.h"
 
-#include "contact/node_to_segment.h"
+#include "contact/interface_term.h"
 #include "scene/recorder.h"
 #include "scene/vulcanised_cure.h"
 #include "weak_form/weak_form.h"

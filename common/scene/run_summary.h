@@ -21,7 +21,7 @@ namespace dealii
 
 namespace demold
 {
-  class NodeToSegment;
+  class InterfaceTerm;
   class Recorder;
   class WeakForm;
   struct VulcanisedRange;
@@ -37,7 +37,7 @@ namespace demold
     double                 seconds_output   = 0.;
     const Recorder        &recorder;
     const WeakForm        &weak_form;
-    const NodeToSegment   *interface; ///< may be null
+    const InterfaceTerm   *interface; ///< may be null
     const VulcanisedRange *cure;      ///< null: not computed
     const dealii::Timer   &timer;     ///< of the whole run
 

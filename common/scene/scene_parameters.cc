@@ -78,7 +78,7 @@ namespace demold
   {
     material.check();
     check_cure();
-    interface.check();
+    interface.check(element);
     increments.check();
     linear_solver.check();
     if (strategy == "dynamics" && !(material.density > 0.))
@@ -104,6 +104,12 @@ namespace demold
                          "a slice or in 3-D.");
     press.check();
     cure.check();
+  }
+
+  RubberLaw SceneParameters::typical_law() const
+  {
+    return material.at(material.f90_is_uniform() ? material.uniform_f90() :
+                                                   material.f90_range().second);
   }
 
   int SceneParameters::dim() const

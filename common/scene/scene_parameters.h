@@ -50,6 +50,9 @@ namespace demold
       return cure_kind == "vulcanised";
     }
 
+    /// The rubber in its uniform state of cure, else in the hardest.
+    RubberLaw typical_law() const;
+
     /// 2 or 3.
     int        dim() const;
     PlaneModel plane() const;

@@ -11,6 +11,8 @@
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping_q1.h>
 
+#include <set>
+
 namespace demold
 {
   using namespace dealii;
@@ -31,6 +33,15 @@ namespace demold
         values[k] = rules[entries[k].rule].value(t, entries[k].X);
     };
     return result;
+  }
+
+  std::function<bool(types::global_dof_index)> SceneSupports::is_held() const
+  {
+    std::set<types::global_dof_index> held;
+    for (const Entry &entry : entries)
+      held.insert(entry.unknown);
+    return
+      [held](const types::global_dof_index i) { return held.count(i) > 0; };
   }
 
   Tensor<1, 3> SceneSupports::reaction(const types::boundary_id boundary,

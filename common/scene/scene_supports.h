@@ -33,6 +33,9 @@ namespace demold
 
     Supports supports() const;
 
+    /// Tells of an unknown whether it is prescribed.
+    std::function<bool(dealii::types::global_dof_index)> is_held() const;
+
     /// Sum of the reactions [N] at one boundary, from the force vector of the
     /// weak form, all ranks.
     dealii::Tensor<1, 3> reaction(const dealii::types::boundary_id boundary,

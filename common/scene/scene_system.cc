@@ -2,6 +2,8 @@
 // From a scene to its mesh, its unknowns and its list of terms.
 #include "scene/scene_system.h"
 
+#include "contact/node_to_segment.h"
+#include "mortar/mortar_term.h"
 #include "scene/expression.h"
 #include "solid/dead_traction.h"
 #include "solid/finite_strain_solid.h"
@@ -102,14 +104,30 @@ namespace demold
                        const Scene<dim>      &scene,
                        const SceneParameters &parameters)
     {
-      auto term = std::make_unique<NodeToSegment>(
-        extract_surface<dim>(system.dof_handler, scene.slave),
+      BoundarySurface slave =
+        extract_surface<dim>(system.dof_handler, scene.slave);
+      Master master =
         scene.mould ? rigid_master(*scene.mould, scene.motion) :
                       Master::deformable(
-                        extract_surface<dim>(system.dof_handler, scene.master)),
-        parameters.interface.description(parameters.plane()),
-        system.dof_handler.locally_owned_dofs(),
-        system.communicator);
+                        extract_surface<dim>(system.dof_handler, scene.master));
+      const InterfaceDescription description = parameters.interface.description(
+        parameters.plane(),
+        parameters.typical_law().young_instantaneous());
+      const IndexSet &owned = system.dof_handler.locally_owned_dofs();
+      std::unique_ptr<InterfaceTerm> term;
+      if (parameters.interface.is_mortar())
+        term = std::make_unique<MortarTerm>(std::move(slave),
+                                            std::move(master),
+                                            description,
+                                            owned,
+                                            system.supports->is_held(),
+                                            system.communicator);
+      else
+        term = std::make_unique<NodeToSegment>(std::move(slave),
+                                               std::move(master),
+                                               description,
+                                               owned,
+                                               system.communicator);
       system.interface = term.get();
       system.weak_form->add(std::move(term));
     }

@@ -3,7 +3,7 @@
 #ifndef demold_scene_scene_system_h
 #define demold_scene_scene_system_h
 
-#include "contact/node_to_segment.h"
+#include "contact/interface_term.h"
 #include "scene/scene.h"
 #include "scene/scene_parameters.h"
 #include "scene/scene_supports.h"
@@ -49,7 +49,7 @@ namespace demold
     std::unique_ptr<WeakForm>                    weak_form;
     std::vector<const CellResults *>             solids; ///< a view each
     std::vector<const CellResults *> rubber; ///< those of section Material
-    NodeToSegment *interface = nullptr;      ///< null: nothing may touch
+    InterfaceTerm *interface = nullptr;      ///< null: nothing may touch
     std::unique_ptr<const VulcanisedCure<dim>> cure; ///< null: by formula
   };
 } // namespace demold

@@ -47,14 +47,6 @@ namespace demold
       return text.str();
     }
 
-    /// The law of a uniform state of cure, else of the hardest.
-    RubberLaw typical_law(const RubberModel &material)
-    {
-      return material.at(material.f90_is_uniform() ?
-                           material.uniform_f90() :
-                           material.f90_range().second);
-    }
-
     std::string cure_text(const SceneParameters &parameters)
     {
       if (!parameters.vulcanised())
@@ -127,7 +119,7 @@ namespace demold
     const double       unknowns =
       degree == 1 ? dim * static_cast<double>(mesh.n_used_vertices()) :
                           dim * std::pow(2., dim) * mesh.n_active_cells();
-    const RubberLaw law = typical_law(parameters.material);
+    const RubberLaw law = parameters.typical_law();
     const auto      history =
       static_cast<double>(law.n_history() * mesh.n_active_cells()) *
       std::pow(degree + 1, dim) * 16.;

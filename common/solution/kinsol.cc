@@ -139,7 +139,7 @@ namespace demold
       }
     weak_form.trial = u;
     report.converged =
-      assemble(weak_form, false, report) &&
+      assemble(weak_form, false, report) && weak_form.has_settled() &&
       report.residuals.back() <= 10. * parameters.residual_tolerance;
     if (report.converged)
       largest_force = std::max(largest_force, weak_form.residual_norms().scale);

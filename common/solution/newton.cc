@@ -154,7 +154,7 @@ namespace demold
                               .1 * std::sqrt(parameters.residual_tolerance);
         if (!assemble(weak_form, !almost, report))
           return report;
-        if (has_converged(report))
+        if (has_converged(report) && weak_form.has_settled())
           {
             report.converged = true;
             largest_force =

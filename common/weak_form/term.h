@@ -124,6 +124,13 @@ namespace demold
       return 0;
     }
 
+    /// May the trial be accepted? False if the last assembly took a branch
+    /// that the state does not ask for, so that Newton would not cycle.
+    virtual bool has_settled() const
+    {
+      return true;
+    }
+
     /// Error of the converged trial increment over what the term tolerates
     /// (above 1: too long) and the power of dt it follows; all ranks agree.
     virtual IncrementError increment_error() const

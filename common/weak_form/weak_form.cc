@@ -304,6 +304,15 @@ namespace demold
     return Utilities::MPI::sum(n, space.communicator);
   }
 
+  bool WeakForm::has_settled() const
+  {
+    const bool settled =
+      std::all_of(terms.begin(), terms.end(), [](const auto &t) {
+        return t->has_settled();
+      });
+    return Utilities::MPI::min(settled ? 1 : 0, space.communicator) == 1;
+  }
+
   Energies WeakForm::energies() const
   {
     Energies share = retired;

@@ -102,6 +102,9 @@ namespace demold
     /// Interface and material states changed by the last assembly, all ranks.
     unsigned int n_state_changes() const;
 
+    /// Has every term settled in the last assembly, on all ranks?
+    bool has_settled() const;
+
     /// Ledger at the trial, all ranks.
     Energies energies() const;
 

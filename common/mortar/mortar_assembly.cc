@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Forces and constraint of one multiplier point.
+#include "contact/current_positions.h"
+#include "contact/nodal_force.h"
+#include "mortar/mortar_term.h"
+#include "mortar/point_gap.h"
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+
+namespace demold
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// History of a point that has left the other surface.
+    ResolventState without_contact(ResolventState state)
+    {
+      state.may_stick      = false;
+      state.opening        = 0.;
+      state.slip           = Tensor<1, 3>();
+      state.friction_limit = 0.;
+      return state;
+    }
+  } // namespace
+
+  /// The unknowns of one point, nodes first, and residual and tangent over
+  /// them with three entries per node and three for the multiplier.
+  class MortarTerm::LocalSystem
+  {
+  public:
+    LocalSystem(const std::vector<unsigned int> &nodes)
+      : nodes(nodes)
+      , multiplier(nodes.size())
+      , R(3 * nodes.size() + 3)
+      , K(3 * nodes.size() + 3, 3 * nodes.size() + 3)
+    {}
+
+    unsigned int position(const unsigned int node) const
+    {
+      return std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
+    }
+
+    void add(const unsigned int row, const Tensor<1, 3> &r)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        R(3 * row + i) += r[i];
+    }
+
+    void add(const unsigned int  row,
+             const unsigned int  column,
+             const Tensor<2, 3> &k)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          K(3 * row + i, 3 * column + j) += k[i][j];
+    }
+
+    const std::vector<unsigned int> &nodes;
+    const unsigned int               multiplier; ///< its position
+    dealii::Vector<double>           R;
+    FullMatrix<double>               K;
+  };
+
+  bool MortarTerm::assemble(const Configuration &state, Assembler &assembler)
+  {
+    Timer timer;
+    now           = Energies();
+    increment     = Increment();
+    state_changes = 0;
+    settled       = true;
+    trial         = committed;
+    normals       = mortar.normals();
+    rows          = mortar.rows(row_demand(state, assembler.with_tangent()));
+    for (unsigned int own = 0; own < trial.size(); ++own)
+      if (resolvent.holds(committed[own].law) || is_opposed(state, own))
+        assemble_point(state, assembler, own);
+      else
+        assemble_idle(state, assembler, own);
+    seconds += timer.wall_time();
+    return true;
+  }
+
+  Tensor<1, 3> MortarTerm::multiplier(const Configuration &state,
+                                      const unsigned int   own) const
+  {
+    Tensor<1, 3> lambda;
+    for (unsigned int d = 0; d < surfaces.dim(); ++d)
+      lambda[d] = state.u(first_unknown(own) + d);
+    return lambda;
+  }
+
+  std::vector<RowDemand> MortarTerm::row_demand(const Configuration &state,
+                                                const bool with_tangent) const
+  {
+    std::vector<RowDemand> demand(committed.size(), RowDemand::values);
+    for (unsigned int own = 0; own < demand.size(); ++own)
+      if (resolvent.holds(committed[own].law))
+        demand[own] = RowDemand::nothing;
+    if (!with_tangent)
+      return demand;
+    // Derivatives are asked for where the constraint is active: of an open
+    // point only the multiplier enters.
+    const std::vector<NodalRow> values = mortar.rows(demand);
+    for (unsigned int own = 0; own < demand.size(); ++own)
+      if (demand[own] == RowDemand::values && values[own].area > 0.)
+        {
+          const Tensor<1, 3> &n = normals[own].n;
+          const double        gap =
+            n * weighted_gap(surfaces, values[own]) / values[own].area;
+          if (n * multiplier(state, own) + resolvent.penalty * gap <= 0.)
+            demand[own] = RowDemand::derivatives;
+        }
+    return demand;
+  }
+
+  /// Does the point have a part of the other surface before it, and is that
+  /// believed? A point closes by coming through the gap: a rigid surface that
+  /// it already was behind at t_n, without touching it, is not (as in
+  /// SurfacePair).
+  bool MortarTerm::is_opposed(const Configuration &state,
+                              const unsigned int   own) const
+  {
+    if (!is_covered(own))
+      return false;
+    if (committed[own].closed || !surfaces.master().is_rigid())
+      return true;
+    const Tensor<1, 3> &n = normals[own].n;
+    const double gap = n * weighted_gap(surfaces, rows[own]) / rows[own].area;
+    if (gap > 0.)
+      return true;
+    const unsigned int node  = point(own).node;
+    const Point<3>     x_old = surfaces.master().carried(
+      state.time - state.dt,
+      current_position(surfaces.node(node), state.u_old, surfaces.dim()));
+    return gap + n * (surfaces.x(node) - x_old) > -.01 * point(own).depth;
+  }
+
+  PointGap MortarTerm::frozen_gap(const unsigned int own) const
+  {
+    const FrozenRow  &bond   = frozen[own];
+    const Master     &master = surfaces.master();
+    const AnchorPlace place  = master.place(bond.anchor);
+    if (master.is_rigid())
+      return frozen_point_gap(surfaces,
+                              bond.row,
+                              bond.row.area * place.x,
+                              normals[own]);
+    const Tensor<1, 3> turned =
+      place.x - master.surface.bound(bond.anchor.facet).centre;
+    return frozen_point_gap(surfaces,
+                            bond.row,
+                            -bond.row.area * turned,
+                            normals[own]);
+  }
+
+  PointGap MortarTerm::current_gap(const unsigned int own) const
+  {
+    return current_point_gap(surfaces, rows[own], slip_rows[own], normals[own]);
+  }
+
+  void MortarTerm::assemble_idle(const Configuration &state,
+                                 Assembler           &assembler,
+                                 const unsigned int   own)
+  {
+    const std::vector<unsigned int> no_nodes;
+    LocalSystem                     local(no_nodes);
+    Tensor<2, 3>                    row;
+    for (unsigned int d = 0; d < 3; ++d)
+      row[d][d] = -1. / resolvent.penalty;
+    local.add(local.multiplier, row * multiplier(state, own));
+    local.add(local.multiplier, local.multiplier, row);
+    insert(assembler, own, local);
+    MultiplierHistory &point = trial[own];
+    point                    = MultiplierHistory();
+    point.law                = without_contact(committed[own].law);
+    point.separation_time    = committed[own].separation_time;
+    count_change(own, point.number);
+  }
+
+  void MortarTerm::assemble_point(const Configuration &state,
+                                  Assembler           &assembler,
+                                  const unsigned int   own)
+  {
+    const MultiplierHistory &old   = committed[own];
+    const bool               holds = resolvent.holds(old.law);
+    const PointGap           gap   = holds ? frozen_gap(own) : current_gap(own);
+    const NodalRow          &row   = holds ? frozen[own].row : rows[own];
+
+    newton_memory[own].iteration = state.iteration;
+    ConstraintInput input;
+    input.gap        = gap.gap;
+    input.normal     = normals[own].n;
+    input.traction   = multiplier(state, own);
+    input.old_gap    = holds ? old.gap : Tensor<1, 3>();
+    input.compliance = compliance[own];
+    const ConstraintResponse response =
+      point_constraint(resolvent, input, old.law, newton_memory[own]);
+
+    LocalSystem  local(gap.nodes);
+    const double share = gap.area / point(own).area;
+    const auto   m     = local.multiplier;
+    local.add(m, share * response.residual);
+    for (unsigned int k = 0; k < row.nodes.size(); ++k)
+      if (!surfaces.is_rigid(row.nodes[k]))
+        local.add(local.position(row.nodes[k]),
+                  row.weights[k] * input.traction);
+    if (assembler.with_tangent())
+      {
+        local.add(m, m, share * response.dtraction);
+        for (unsigned int l = 0; l < gap.nodes.size(); ++l)
+          local.add(m,
+                    l,
+                    share * (response.dgap * gap.dgap[l] +
+                             response.dnormal * gap.dnormal[l]) +
+                      outer_product(response.residual, gap.darea[l]) /
+                        point(own).area);
+        add_force_tangent(row, input.traction, local);
+      }
+    insert(assembler, own, local);
+    account(state, own, input, response, gap);
+  }
+
+  void MortarTerm::add_force_tangent(const NodalRow     &row,
+                                     const Tensor<1, 3> &traction,
+                                     LocalSystem        &local) const
+  {
+    for (unsigned int k = 0; k < row.nodes.size(); ++k)
+      {
+        if (surfaces.is_rigid(row.nodes[k]))
+          continue;
+        const unsigned int position = local.position(row.nodes[k]);
+        Tensor<2, 3>       weight;
+        for (unsigned int d = 0; d < 3; ++d)
+          weight[d][d] = row.weights[k];
+        local.add(position, local.multiplier, weight);
+        if (row.has_derivatives)
+          for (unsigned int l = 0; l < row.nodes.size(); ++l)
+            if (!surfaces.is_rigid(row.nodes[l]))
+              local.add(position,
+                        local.position(row.nodes[l]),
+                        outer_product(traction, row.dweights[k][l]));
+      }
+  }
+
+  void MortarTerm::insert(Assembler         &assembler,
+                          const unsigned int own,
+                          const LocalSystem &local) const
+  {
+    NodalUnknowns unknowns;
+    for (unsigned int k = 0; k < local.nodes.size(); ++k)
+      unknowns.add(surfaces.node(local.nodes[k]), k, surfaces.dim());
+    for (unsigned int d = 0; d < surfaces.dim(); ++d)
+      {
+        unknowns.indices.push_back(first_unknown(own) + d);
+        unknowns.entries.push_back(3 * local.multiplier + d);
+      }
+    add_forces(assembler, unknowns, 1., local.R, local.K);
+  }
+} // namespace demold

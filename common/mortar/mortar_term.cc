@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Life of the mortar term: start, increments, checkpoints.
+#include "mortar/mortar_term.h"
+
+#include "mortar/point_gap.h"
+#include "weak_form/assembler.h"
+
+#include <deal.II/base/timer.h>
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace demold
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// A point covered by less than this share of its area has no multiplier
+    /// (theory B.11).
+    constexpr double smallest_cover = .01;
+
+    /// Compliance of multipliers that the constraints alone leave undetermined
+    /// (two patches at one edge node, nodes with supports), over 1/c_N: their
+    /// gaps are wrong by this share of lambda/c_N.
+    constexpr double relative_compliance = 1e-6;
+
+    PairOptions pair_options(const InterfaceDescription &description)
+    {
+      PairOptions        options;
+      const unsigned int order = description.quadrature_order;
+      options.triangle_points  = order <= 2 ? 3 : order <= 4 ? 6 : 7;
+      options.line_points      = order <= 3 ? 2 : 3;
+      options.plane            = description.plane;
+      return options;
+    }
+
+    TractionResolvent make_resolvent(const InterfaceDescription &description,
+                                     const double                height)
+    {
+      TractionResolvent resolvent;
+      resolvent.friction = description.friction;
+      if (description.adhesion)
+        {
+          resolvent.adhesion = *description.adhesion;
+          resolvent.adhesion->softening =
+            rigid_softening(description.adhesion->softening);
+        }
+      resolvent.penalty = description.augmentation;
+      if (resolvent.penalty <= 0.) // chosen here, theory C8
+        resolvent.penalty = std::max(2. * resolvent.smallest_penalty(),
+                                     10. * description.stiffness / height);
+      return resolvent;
+    }
+  } // namespace
+
+  MortarTerm::MortarTerm(
+    BoundarySurface                                     slave,
+    Master                                              master,
+    const InterfaceDescription                         &description,
+    const IndexSet                                     &owned,
+    const std::function<bool(types::global_dof_index)> &is_held,
+    MPI_Comm                                            communicator)
+    : description(description)
+    , communicator(communicator)
+    , surfaces(std::move(slave),
+               std::move(master),
+               description,
+               owned,
+               communicator)
+    , mortar(surfaces, pair_options(description), description.dual_multipliers)
+    , resolvent(make_resolvent(description, surfaces.mean_height()))
+  {
+    const std::size_t n = surfaces.own_points().size();
+    committed.resize(n);
+    frozen.resize(n);
+    slip_rows.resize(n);
+    newton_memory.resize(n);
+    just_closed.assign(n, false);
+    last_number.assign(n, state_free);
+    find_compliance(is_held);
+    start_points();
+    trial = committed;
+  }
+
+  void MortarTerm::find_compliance(
+    const std::function<bool(types::global_dof_index)> &is_held)
+  {
+    std::vector<unsigned int> points_at_node(surfaces.n_slave_nodes(), 0);
+    for (const SlavePoint &point : surfaces.points())
+      ++points_at_node[point.node];
+    for (unsigned int own = 0; own < committed.size(); ++own)
+      {
+        const unsigned int node = point(own).node;
+        compliance.emplace_back();
+        for (unsigned int d = 0; d < surfaces.dim(); ++d)
+          if (points_at_node[node] > 1 ||
+              is_held(surfaces.node(node).unknowns[d]))
+            compliance[own][d] = relative_compliance / resolvent.penalty;
+      }
+  }
+
+  void MortarTerm::start_points()
+  {
+    rows =
+      mortar.rows(std::vector<RowDemand>(committed.size(), RowDemand::values));
+    normals = mortar.normals();
+    for (unsigned int own = 0; own < committed.size(); ++own)
+      {
+        const NodalRow &row = rows[own];
+        if (!is_covered(own))
+          continue;
+        MultiplierHistory &history = committed[own];
+        history.has_gap            = true;
+        history.area               = row.area;
+        history.gap_N = normals[own].n * weighted_gap(surfaces, row) / row.area;
+        history.closed        = history.gap_N <= touching_gap;
+        history.law.may_stick = history.closed;
+        const Point<3> &X     = surfaces.x(point(own).node);
+        if (description.adhesion && description.bonded(X) &&
+            std::abs(history.gap_N) <= .5 * description.adhesion->rupture_gap())
+          bond(own);
+      }
+    keep_slip_rows();
+  }
+
+  bool MortarTerm::is_covered(const unsigned int own) const
+  {
+    return rows[own].area > smallest_cover * point(own).area;
+  }
+
+  void MortarTerm::bond(const unsigned int own)
+  {
+    NodalRow           row   = rows[own].values();
+    const Tensor<1, 3> gap   = weighted_gap(surfaces, row) / row.area;
+    const unsigned int facet = nearest_facet(own);
+    if (surfaces.master().is_rigid())
+      {
+        row = slave_side(surfaces, row);
+        frozen[own].anchor =
+          surfaces.master().set_anchor(facet,
+                                       {{0., 0.}},
+                                       slave_point(surfaces, row));
+      }
+    else
+      frozen[own].anchor = surfaces.master().set_anchor(
+        facet,
+        {{0., 0.}},
+        surfaces.master().surface.bound(facet).centre + gap);
+    frozen[own].row              = row;
+    committed[own].law           = resolvent.fresh_bond();
+    committed[own].law.may_stick = committed[own].closed;
+    committed[own].gap           = Tensor<1, 3>();
+    committed[own].number        = static_cast<int>(AdhesionStatus::adhering);
+  }
+
+  unsigned int MortarTerm::nearest_facet(const unsigned int own) const
+  {
+    const Point<3> &x       = surfaces.x(point(own).node);
+    unsigned int    nearest = numbers::invalid_unsigned_int;
+    double          least   = 1e300;
+    for (const unsigned int face : point(own).facets)
+      for (const unsigned int facet : surfaces.opposite(face))
+        {
+          const double distance =
+            (surfaces.master().surface.bound(facet).centre - x).norm();
+          if (distance < least)
+            {
+              least   = distance;
+              nearest = facet;
+            }
+        }
+    return nearest;
+  }
+
+  void MortarTerm::keep_slip_rows()
+  {
+    if (description.friction <= 0.)
+      return;
+    for (unsigned int own = 0; own < committed.size(); ++own)
+      {
+        const bool slides =
+          committed[own].closed && !resolvent.holds(committed[own].law);
+        slip_rows[own] = slides ? rows[own].values() : NodalRow();
+      }
+  }
+
+  std::string MortarTerm::name() const
+  {
+    return "contact";
+  }
+
+  TermKind MortarTerm::kind() const
+  {
+    return TermKind::interface;
+  }
+
+  bool MortarTerm::symmetric() const
+  {
+    return false;
+  }
+
+  std::vector<unsigned int> MortarTerm::extra_unknown_owners() const
+  {
+    std::vector<unsigned int> owners;
+    for (const unsigned int rank : surfaces.owners())
+      owners.insert(owners.end(), surfaces.dim(), rank);
+    return owners;
+  }
+
+  void MortarTerm::set_first_extra_unknown(const types::global_dof_index first)
+  {
+    first_multiplier = first;
+  }
+
+  types::global_dof_index
+  MortarTerm::first_unknown(const unsigned int own) const
+  {
+    return first_multiplier +
+           static_cast<types::global_dof_index>(surfaces.dim()) *
+             surfaces.own_points()[own];
+  }
+
+  void MortarTerm::needed_unknowns(IndexSet &set) const
+  {
+    set.add_indices(surfaces.all_unknowns(set.size()));
+  }
+
+  void
+  MortarTerm::add_couplings(DynamicSparsityPattern          &pattern,
+                            const AffineConstraints<double> &constraints) const
+  {
+    for (unsigned int own = 0; own < committed.size(); ++own)
+      {
+        std::set<unsigned int> nodes(frozen[own].row.nodes.begin(),
+                                     frozen[own].row.nodes.end());
+        nodes.insert(slip_rows[own].nodes.begin(), slip_rows[own].nodes.end());
+        for (const unsigned int face : point(own).facets)
+          surfaces.add_nodes_around(face, nodes);
+        Assembler::Indices indices;
+        for (const unsigned int node : nodes)
+          if (!surfaces.is_rigid(node))
+            for (unsigned int d = 0; d < surfaces.dim(); ++d)
+              indices.push_back(surfaces.node(node).unknowns[d]);
+        for (unsigned int d = 0; d < surfaces.dim(); ++d)
+          indices.push_back(first_unknown(own) + d);
+        constraints.add_entries_local_to_global(indices, pattern, false);
+      }
+  }
+
+  bool MortarTerm::couplings_changed() const
+  {
+    return surfaces.has_new_candidates() && !surfaces.master().is_rigid();
+  }
+
+  void MortarTerm::prepare(const Configuration &state)
+  {
+    Timer timer;
+    surfaces.move_to(state);
+    if (state.iteration == 0)
+      {
+        last_dt = state.dt;
+        newton_memory.assign(newton_memory.size(), NewtonMemory());
+      }
+    seconds += timer.wall_time();
+  }
+
+  void MortarTerm::commit()
+  {
+    for (unsigned int own = 0; own < committed.size(); ++own)
+      just_closed[own] = trial[own].closed && !committed[own].closed;
+    committed = trial;
+    keep_slip_rows();
+    if (description.adhesion && description.adhesion->rest_efficiency > 0.)
+      bond_again();
+    const double stored = now.stored;
+    committed_work += now;
+    committed_work.stored = stored;
+    revert();
+  }
+
+  void MortarTerm::bond_again()
+  {
+    for (unsigned int own = 0; own < committed.size(); ++own)
+      {
+        MultiplierHistory &history = committed[own];
+        if (!history.law.bonded || resolvent.holds(history.law))
+          continue;
+        const double pressure =
+          history.closed ? -history.traction * normals[own].n : 0.;
+        const ResolventState rested =
+          resolvent.rested(history.law, pressure, last_dt);
+        history.law = rested;
+        if (!resolvent.holds(rested))
+          continue;
+        bond(own);
+        history.law.bond        = rested.bond;
+        history.separation_time = -1.;
+        slip_rows[own]          = NodalRow();
+      }
+  }
+
+  void MortarTerm::revert()
+  {
+    trial      = committed;
+    increment  = Increment();
+    now        = Energies();
+    now.stored = committed_work.stored;
+  }
+} // namespace demold

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The constraint of one multiplier in space: gap = G(augmented traction).
+#include "mortar/point_constraint.h"
+
+namespace demold
+{
+  using namespace dealii;
+
+  namespace
+  {
+    Tensor<2, 3> unit()
+    {
+      Tensor<2, 3> one;
+      for (unsigned int i = 0; i < 3; ++i)
+        one[i][i] = 1.;
+      return one;
+    }
+
+    /// dG/dlambda_hat at a fixed normal.
+    Tensor<2, 3> by_traction(const ResolventResponse &law,
+                             const Tensor<1, 3>      &n,
+                             const Tensor<2, 3>      &tangential)
+    {
+      const Tensor<1, 3> row = law.dN_dN * n + tangential * law.dN_dT;
+      return outer_product(n, row) + outer_product(law.dT_dN, n) +
+             law.dT_dT * tangential;
+    }
+
+    /// dG/dn at a fixed lambda_hat. A slip direction turns with the plane.
+    Tensor<2, 3> by_normal(const ResolventResponse &law,
+                           const Tensor<1, 3>      &augmented,
+                           const Tensor<1, 3>      &n,
+                           const Tensor<2, 3>      &tangential)
+    {
+      const double       normal_part = augmented * n;
+      const Tensor<1, 3> row         = law.dN_dN * augmented -
+                               normal_part * (tangential * law.dN_dT) -
+                               law.gap_T;
+      return law.gap_N * unit() + outer_product(n, row) +
+             outer_product(law.dT_dN, augmented) -
+             normal_part * (law.dT_dT * tangential);
+    }
+  } // namespace
+
+  ConstraintResponse point_constraint(const TractionResolvent &resolvent,
+                                      const ConstraintInput   &input,
+                                      const ResolventState    &old,
+                                      const NewtonMemory      &last)
+  {
+    const Tensor<1, 3> &n          = input.normal;
+    const double        c_N        = resolvent.penalty;
+    const double        c_T        = resolvent.tangential_penalty();
+    const Tensor<2, 3>  normal     = outer_product(n, n);
+    const Tensor<2, 3>  tangential = unit() - normal;
+    const Tensor<2, 3>  C          = c_T * unit() + (c_N - c_T) * normal;
+    const Tensor<1, 3>  augmented  = input.traction + C * input.gap;
+
+    ResolventState turned = old;
+    turned.slip           = tangential * input.old_gap;
+
+    ConstraintResponse response;
+    response.law          = evaluate_by_rules(resolvent,
+                                     {augmented * n, tangential * augmented},
+                                     turned,
+                                     last);
+    const Tensor<2, 3> dG = by_traction(response.law, n, tangential);
+    response.residual = input.gap - response.law.gap_N * n - response.law.gap_T;
+    response.dgap     = unit() - dG * C;
+    response.dtraction = -1. * dG;
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        response.residual[d] -= input.compliance[d] * input.traction[d];
+        response.dtraction[d][d] -= input.compliance[d];
+      }
+    const Tensor<2, 3> augmented_by_normal =
+      (c_N - c_T) * ((n * input.gap) * unit() + outer_product(n, input.gap));
+    response.dnormal = -1. * by_normal(response.law, augmented, n, tangential) -
+                       dG * augmented_by_normal +
+                       (n * input.old_gap) * response.law.dT_dslip;
+    return response;
+  }
+} // namespace demold

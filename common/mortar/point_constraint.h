@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The constraint of one multiplier in space: gap = G(augmented traction).
+#ifndef demold_mortar_point_constraint_h
+#define demold_mortar_point_constraint_h
+
+#include "adhesion/newton_rules.h"
+
+#include <deal.II/base/tensor.h>
+
+namespace demold
+{
+  /// What the constraint of a point depends on.
+  struct ConstraintInput
+  {
+    dealii::Tensor<1, 3> gap;      ///< [mm] per area: g_N n + g_T
+    dealii::Tensor<1, 3> normal;   ///< unit, out of the slave
+    dealii::Tensor<1, 3> traction; ///< lambda [MPa], tension positive
+
+    /// [mm] gap vector at t_n of a point whose bond holds, else 0; its
+    /// tangential part replaces the slip of the history.
+    dealii::Tensor<1, 3> old_gap;
+
+    /// [mm/MPa] by component, where the constraint alone would leave the
+    /// multiplier undetermined, else 0.
+    dealii::Tensor<1, 3> compliance;
+  };
+
+  /// Residual r = g - G(lambda_hat) - compliance lambda [mm] (theory C9) and
+  /// its derivatives; vectors are Cartesian.
+  struct ConstraintResponse
+  {
+    dealii::Tensor<1, 3> residual;
+    dealii::Tensor<2, 3> dgap;      ///< [-]
+    dealii::Tensor<2, 3> dtraction; ///< [mm/MPa]
+    dealii::Tensor<2, 3> dnormal;   ///< [mm]
+    ResolventResponse    law;
+  };
+
+  ConstraintResponse point_constraint(const TractionResolvent &resolvent,
+                                      const ConstraintInput   &input,
+                                      const ResolventState    &old,
+                                      const NewtonMemory      &last);
+} // namespace demold
+
+#endif
