@@ -109,8 +109,8 @@ namespace demold
     /// History if the increment is accepted.
     ResolventState state;
 
-    /// State number of theory C.5: the bond while it holds, but for slip under
-    /// pressure without decohesion; else contact.
+    /// State number of theory C.5: the bond while it holds and does not slip
+    /// against friction, else contact.
     int number() const;
   };
 
@@ -127,6 +127,9 @@ namespace demold
     std::optional<AdhesionLaw> adhesion;
     double                     friction = 0.; ///< mu [-]
     double                     penalty  = 1.; ///< c_N [MPa/mm]
+
+    /// a and b of the mixing; 1 without adhesion.
+    ModeFactors factors() const;
 
     /// c_T = a c_N [MPa/mm].
     double tangential_penalty() const;
