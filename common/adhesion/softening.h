@@ -12,6 +12,9 @@ namespace demold
 {
   /// A softening law chosen by name; visit it once per point.
   using Softening = std::variant<LinearSoftening, ExponentialSoftening>;
+
+  /// The same law with infinite penalty: rigid until the limit, theory C.4.
+  Softening rigid_softening(const Softening &softening);
 } // namespace demold
 
 #endif
