@@ -413,7 +413,7 @@ namespace
     dealii::AffineConstraints<double> none;
     none.close();
     SystemAnswer result;
-    result.residual.reinit(pair.owned, MPI_COMM_SELF);
+    result.residual.reinit(pair.u.locally_owned_elements(), MPI_COMM_SELF);
     Vector          unused(result.residual);
     SystemAssembler system(none,
                            result.residual,

@@ -4,6 +4,7 @@
 #define demold_tests_contact_term_two_surfaces_h
 
 #include "contact/node_to_segment.h"
+#include "mortar/mortar_term.h"
 #include "weak_form/assembler.h"
 
 #include <cmath>
@@ -107,8 +108,14 @@ namespace demold
     deformable
   };
 
-  /// The term alone, with the displacements of all nodes as plain arrays:
-  /// those of the slave come first.
+  enum class Formulation
+  {
+    node_to_segment,
+    mortar
+  };
+
+  /// The term alone, with its unknowns as plain arrays: displacements of the
+  /// slave nodes, of the master nodes, then multipliers.
   class TwoSurfaces
   {
   public:
@@ -119,34 +126,29 @@ namespace demold
       const Grid                 &master_grid,
       const MasterKind            kind,
       const InterfaceDescription &description,
-      const RigidMotion &motion = [](double) { return RigidPlacement(); })
+      const RigidMotion &motion      = [](double) { return RigidPlacement(); },
+      const Formulation  formulation = Formulation::node_to_segment)
       : dim(slave_grid.dim)
       , slave(make_surface(slave_grid, 0))
       , master(make_surface(master_grid, dim * slave.nodes.size()))
       , kind(kind)
     {
       // A rigid master takes no unknowns, but they do no harm either.
-      n        = dim * (slave.nodes.size() + master.nodes.size());
+      n_displacements = dim * (slave.nodes.size() + master.nodes.size());
+      make_term(description, motion, formulation);
+      n = n_displacements + term->extra_unknown_owners().size();
+      term->set_first_extra_unknown(n_displacements);
       accepted = Values(n, 0.);
-      owned    = dealii::complete_index_set(n);
       for (Vector *v : {&u, &u_old})
-        v->reinit(owned, MPI_COMM_SELF);
-      term = std::make_unique<NodeToSegment>(slave,
-                                             kind == MasterKind::rigid ?
-                                               Master::rigid(master.facets,
-                                                             master.positions(),
-                                                             motion) :
-                                               Master::deformable(master),
-                                             description,
-                                             owned,
-                                             MPI_COMM_SELF);
+        v->reinit(dealii::complete_index_set(n), MPI_COMM_SELF);
     }
 
     /// Residual and tangent at the trial @p values.
-    DenseAssembler evaluate(const Values &values)
+    DenseAssembler evaluate(const Values      &values,
+                            const unsigned int iteration = 0)
     {
       DenseAssembler result(n);
-      evaluate(values, result);
+      evaluate(values, result, iteration);
       return result;
     }
 
@@ -197,39 +199,45 @@ namespace demold
     {
       std::mt19937                           generator(seed);
       std::uniform_real_distribution<double> noise(-amplitude, amplitude);
-      for (unsigned int i = 0; i < n_moving(); ++i)
-        values[i] += noise(generator);
+      for (unsigned int i = 0; i < n; ++i)
+        if (is_moving(i))
+          values[i] += noise(generator);
       return values;
     }
 
-    /// Unknowns that change anything.
-    unsigned int n_moving() const
+    /// Does the unknown change anything?
+    bool is_moving(const unsigned int i) const
     {
-      return kind == MasterKind::rigid ? dim * slave.nodes.size() : n;
+      return kind == MasterKind::deformable || i < dim * slave.nodes.size() ||
+             i >= n_displacements;
     }
 
     /// Largest entry of the tangent that differs from central differences of
     /// the residual, over the largest entry.
-    double tangent_error(const Values &at)
+    double tangent_error(const Values &at, const unsigned int iteration = 0)
     {
-      const DenseAssembler exact   = evaluate(at);
+      const DenseAssembler exact   = evaluate(at, iteration);
       const double         step    = 1e-6;
       double               largest = 0., error = 0.;
-      for (unsigned int j = 0; j < n_moving(); ++j)
+      for (unsigned int j = 0; j < n; ++j)
         {
+          if (!is_moving(j))
+            continue;
           Values plus = at, minus = at;
           plus[j] += step;
           minus[j] -= step;
-          const auto R_plus  = evaluate(plus).R;
-          const auto R_minus = evaluate(minus).R;
-          for (unsigned int i = 0; i < n_moving(); ++i)
+          const auto R_plus  = evaluate(plus, iteration).R;
+          const auto R_minus = evaluate(minus, iteration).R;
+          for (unsigned int i = 0; i < n; ++i)
             {
+              if (!is_moving(i))
+                continue;
               const double difference = (R_plus(i) - R_minus(i)) / (2. * step);
               largest                 = std::max(largest, std::abs(difference));
               error = std::max(error, std::abs(difference - exact.K(i, j)));
             }
         }
-      evaluate(at);
+      evaluate(at, iteration);
       return largest > 0. ? error / largest : 1e300;
     }
 
@@ -258,12 +266,37 @@ namespace demold
     const unsigned int             dim;
     const BoundarySurface          slave, master;
     const MasterKind               kind;
-    unsigned int                   n    = 0;
+    unsigned int                   n = 0, n_displacements = 0;
     double                         time = 0., dt = 1.;
     Values                         accepted;
-    dealii::IndexSet               owned;
     Vector                         u, u_old;
-    std::unique_ptr<NodeToSegment> term;
+    std::unique_ptr<InterfaceTerm> term;
+
+  private:
+    void make_term(const InterfaceDescription &description,
+                   const RigidMotion          &motion,
+                   const Formulation           formulation)
+    {
+      const Master other =
+        kind == MasterKind::rigid ?
+          Master::rigid(master.facets, master.positions(), motion) :
+          Master::deformable(master);
+      const auto owned = dealii::complete_index_set(n_displacements);
+      if (formulation == Formulation::mortar)
+        term = std::make_unique<MortarTerm>(
+          slave,
+          other,
+          description,
+          owned,
+          [](dealii::types::global_dof_index) { return false; },
+          MPI_COMM_SELF);
+      else
+        term = std::make_unique<NodeToSegment>(slave,
+                                               other,
+                                               description,
+                                               owned,
+                                               MPI_COMM_SELF);
+    }
   };
 } // namespace demold
 
