@@ -65,6 +65,9 @@ namespace demold
                                        const unsigned int       n_nodes,
                                        const PairOptions       &options);
 
+  /// The nodes of a facet as the integrals take them.
+  FaceNodes<double> face_nodes(const FacetPositions &facet);
+
   /// The same for facets as contact knows them.
   PairIntegrals<double> integrate_pair(const FacetPositions &slave,
                                        const FacetPositions &master,

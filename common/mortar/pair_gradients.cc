@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Derivatives of the mortar integrals of a pair by the positions of its nodes.
+#include "mortar/pair_gradients.h"
+
+#include "mortar/auxiliary_plane.h"
+#include "mortar/pair_gradients_2d.h"
+#include "mortar/segment_gradients.h"
+
+namespace demold
+{
+  namespace
+  {
+    using Vector = dealii::Tensor<1, 3>;
+
+    /// How the coordinates of the projected nodes change with the nodes:
+    ///
+    ///     dy_alpha = e_alpha.(dx - dx_10) - h (dn.e_alpha),
+    ///     h = (x - x_10).n,   dn.e_alpha = sum_K tilt_alpha,K . dx_K.
+    ///
+    /// The integrals do not change if all points of the plane shift or turn
+    /// about n. So dx_10 and the turning of e_alpha in the plane are left out.
+    struct Projection3d
+    {
+      std::array<Vector, 2>                e;
+      std::array<std::array<Vector, 4>, 2> tilt;     ///< [1/mm]
+      std::array<double, 8>                height{}; ///< h [mm], slave, master
+    };
+
+    Projection3d projection(const AuxiliaryPlane<double> &plane,
+                            const FaceNodes<double>      &slave,
+                            const FaceNodes<double>      &master)
+    {
+      Projection3d result;
+      result.e = plane.e;
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const Vector by_a1 = cross_product_3d(plane.a[1], plane.e[i]);
+          const Vector by_a2 = cross_product_3d(plane.e[i], plane.a[0]);
+          for (unsigned int K = 0; K < 4; ++K)
+            result.tilt[i][K] =
+              (centre_slope(4, K, 0) * by_a1 + centre_slope(4, K, 1) * by_a2) /
+              plane.size;
+        }
+      for (unsigned int K = 0; K < 4; ++K)
+        {
+          result.height[K]     = (slave[K] - plane.centre) * plane.normal;
+          result.height[4 + K] = (master[K] - plane.centre) * plane.normal;
+        }
+      return result;
+    }
+
+    /// Derivatives of integral @p q by the nodes from those in the plane.
+    PairGradient in_space(const PlaneGradients &sums,
+                          const unsigned int    q,
+                          const Projection3d   &projection,
+                          const DerivedBy       derived_by)
+    {
+      double tilting[2]{};
+      for (unsigned int K = 0; K < 8; ++K)
+        for (unsigned int i = 0; i < 2; ++i)
+          tilting[i] += projection.height[K] * sums.nodes[K][i][q];
+
+      PairGradient       result{};
+      const unsigned int n = derived_by == DerivedBy::slave ? 4 : 8;
+      for (unsigned int K = 0; K < n; ++K)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            double &entry = result[3 * K + c];
+            entry         = sums.nodes[K][0][q] * projection.e[0][c] +
+                    sums.nodes[K][1][q] * projection.e[1][c];
+            if (K < 4)
+              entry -= tilting[0] * projection.tilt[0][K][c] +
+                       tilting[1] * projection.tilt[1][K][c];
+          }
+      return result;
+    }
+
+    PairGradients collected(const PlaneGradients &sums,
+                            const Projection3d   &projection,
+                            const DerivedBy       derived_by)
+    {
+      PairGradients result;
+      result.value.overlaps = true;
+      result.value.area     = sums.value[area_integral];
+      result.darea = in_space(sums, area_integral, projection, derived_by);
+      for (unsigned int A = 0; A < 4; ++A)
+        for (unsigned int B = 0; B < 4; ++B)
+          {
+            const unsigned int D = D_integral(A, B), M = M_integral(A, B);
+            result.value.D[A][B] = sums.value[D];
+            result.value.M[A][B] = sums.value[M];
+            result.dM[A][B]      = in_space(sums, M, projection, derived_by);
+            result.dD[A][B]      = B < A ? result.dD[B][A] :
+                                           in_space(sums, D, projection, derived_by);
+          }
+      return result;
+    }
+
+    PairGradients gradients_3d(const FaceNodes<double> &slave,
+                               const FaceNodes<double> &master,
+                               const PairOptions       &options,
+                               const DerivedBy          derived_by)
+    {
+      const AuxiliaryPlane<double> plane = auxiliary_plane(slave, 4);
+      if (!(plane.size > 0.))
+        return {};
+      const PlaneNodes<double> y_slave  = projected(plane, slave, 4);
+      const PlaneNodes<double> y_master = projected(plane, master, 4);
+      const Segments3d         found    = find_segments(y_slave, y_master);
+      if (found.n_segments == 0)
+        return {};
+      PlaneGradients sums;
+      for (unsigned int i = 0; i < found.n_segments; ++i)
+        add_segment_gradients(found.segments[i],
+                              y_slave,
+                              y_master,
+                              triangle_rule(options.triangle_points),
+                              sums);
+      return collected(sums, projection(plane, slave, master), derived_by);
+    }
+  } // namespace
+
+  PairGradients pair_gradients(const FacetPositions &slave,
+                               const FacetPositions &master,
+                               const PairOptions    &options,
+                               const DerivedBy       derived_by)
+  {
+    if (slave.n_nodes == 2)
+      return pair_gradients_2d(face_nodes(slave),
+                               face_nodes(master),
+                               options,
+                               derived_by);
+    return gradients_3d(face_nodes(slave),
+                        face_nodes(master),
+                        options,
+                        derived_by);
+  }
+} // namespace demold
