@@ -150,10 +150,16 @@ namespace demold
                               normals[own]);
     const Tensor<1, 3> turned =
       place.x - master.surface.bound(bond.anchor.facet).centre;
-    return frozen_point_gap(surfaces,
-                            bond.row,
-                            -bond.row.area * turned,
-                            normals[own]);
+    PointGap gap = frozen_point_gap(surfaces,
+                                    bond.row,
+                                    -bond.row.area * turned,
+                                    normals[own]);
+    // The gap there was at bonding turns with the facet. Of the couple this
+    // makes with the traction nothing is seen: it is of the order of that gap.
+    for (unsigned int i = 0; i < place.n_nodes; ++i)
+      gap.dgap[gap.position(surfaces.n_slave_nodes() + place.nodes[i])] -=
+        place.doffset[i];
+    return gap;
   }
 
   PointGap MortarTerm::current_gap(const unsigned int own) const

@@ -138,8 +138,15 @@ namespace demold
     nodes.insert(slave_facet.nodes.begin(),
                  slave_facet.nodes.begin() + slave_facet.n_nodes);
     for (const unsigned int f : search.candidates(face))
-      for (unsigned int i = 0; i < other_side.surface.facet(f).n_nodes; ++i)
-        nodes.insert(n_slave_nodes() + other_side.surface.facet(f).nodes[i]);
+      add_master_nodes(f, nodes);
+  }
+
+  void MortarSurfaces::add_master_nodes(const unsigned int      facet,
+                                        std::set<unsigned int> &nodes) const
+  {
+    const Facet &other = other_side.surface.facet(facet);
+    for (unsigned int i = 0; i < other.n_nodes; ++i)
+      nodes.insert(n_slave_nodes() + other.nodes[i]);
   }
 
   IndexSet

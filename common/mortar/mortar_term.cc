@@ -239,6 +239,8 @@ namespace demold
         std::set<unsigned int> nodes(frozen[own].row.nodes.begin(),
                                      frozen[own].row.nodes.end());
         nodes.insert(slip_rows[own].nodes.begin(), slip_rows[own].nodes.end());
+        if (!frozen[own].row.nodes.empty())
+          surfaces.add_master_nodes(frozen[own].anchor.facet, nodes);
         for (const unsigned int face : point(own).facets)
           surfaces.add_nodes_around(face, nodes);
         Assembler::Indices indices;

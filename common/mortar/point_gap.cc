@@ -29,18 +29,10 @@ namespace demold
       PointGap gap;
       for (const auto *list : lists)
         for (const unsigned int node : *list)
-          if (!surfaces.is_rigid(node) &&
-              std::find(gap.nodes.begin(), gap.nodes.end(), node) ==
-                gap.nodes.end())
-            gap.nodes.push_back(node);
-      gap.dgap.resize(gap.nodes.size());
-      gap.dnormal.resize(gap.nodes.size());
-      gap.darea.resize(gap.nodes.size());
+          if (!surfaces.is_rigid(node))
+            gap.position(node);
       for (unsigned int k = 0; k < normal.nodes.size(); ++k)
-        gap.dnormal[std::find(gap.nodes.begin(),
-                              gap.nodes.end(),
-                              normal.nodes[k]) -
-                    gap.nodes.begin()] = normal.dn[k];
+        gap.dnormal[gap.position(normal.nodes[k])] = normal.dn[k];
       return gap;
     }
 
@@ -85,6 +77,18 @@ namespace demold
     for (unsigned int k = 0; k < row.nodes.size(); ++k)
       sum += row.weights[k] * surfaces.x(row.nodes[k]);
     return sum;
+  }
+
+  unsigned int PointGap::position(const unsigned int node)
+  {
+    const auto found = std::find(nodes.begin(), nodes.end(), node);
+    if (found != nodes.end())
+      return found - nodes.begin();
+    nodes.push_back(node);
+    dgap.emplace_back();
+    dnormal.emplace_back();
+    darea.emplace_back();
+    return nodes.size() - 1;
   }
 
   NodalRow slave_side(const MortarSurfaces &surfaces, const NodalRow &row)

@@ -23,6 +23,9 @@ namespace demold
     std::vector<dealii::Tensor<2, 3>> dgap;    ///< dgap/dx_l [-], all told
     std::vector<dealii::Tensor<2, 3>> dnormal; ///< dn/dx_l [1/mm]
     std::vector<dealii::Tensor<1, 3>> darea;   ///< [mm]
+
+    /// Position of a node in the lists, appended where it is new.
+    unsigned int position(const unsigned int node);
   };
 
   /// sum_k w_k x_k [mm^3] now.
