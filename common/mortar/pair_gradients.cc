@@ -55,44 +55,72 @@ namespace demold
                           const Projection3d   &projection,
                           const DerivedBy       derived_by)
     {
-      double tilting[2]{};
-      for (unsigned int K = 0; K < 8; ++K)
-        for (unsigned int i = 0; i < 2; ++i)
-          tilting[i] += projection.height[K] * sums.nodes[K][i][q];
+      std::array<std::array<double, 2>, 8> by_node{};
+      double                               tilting[2]{};
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          for (unsigned int K = 0; K < 7; ++K)
+            {
+              by_node[K][i] = sums.nodes[K][i][q];
+              by_node[7][i] -= by_node[K][i];
+            }
+          for (unsigned int K = 0; K < 8; ++K)
+            tilting[i] += projection.height[K] * by_node[K][i];
+        }
 
       PairGradient       result{};
       const unsigned int n = derived_by == DerivedBy::slave ? 4 : 8;
       for (unsigned int K = 0; K < n; ++K)
         for (unsigned int c = 0; c < 3; ++c)
-          {
-            double &entry = result[3 * K + c];
-            entry         = sums.nodes[K][0][q] * projection.e[0][c] +
-                    sums.nodes[K][1][q] * projection.e[1][c];
-            if (K < 4)
-              entry -= tilting[0] * projection.tilt[0][K][c] +
-                       tilting[1] * projection.tilt[1][K][c];
-          }
+          result[3 * K + c] = by_node[K][0] * projection.e[0][c] +
+                              by_node[K][1] * projection.e[1][c];
+      for (unsigned int K = 0; K < 4; ++K)
+        for (unsigned int c = 0; c < 3; ++c)
+          result[3 * K + c] -= tilting[0] * projection.tilt[0][K][c] +
+                               tilting[1] * projection.tilt[1][K][c];
       return result;
+    }
+
+    void add(const double        factor,
+             const PairGradient &gradient,
+             PairGradient       &sum)
+    {
+      for (unsigned int k = 0; k < sum.size(); ++k)
+        sum[k] += factor * gradient[k];
     }
 
     PairGradients collected(const PlaneGradients &sums,
                             const Projection3d   &projection,
                             const DerivedBy       derived_by)
     {
-      PairGradients result;
-      result.value.overlaps = true;
-      result.value.area     = sums.value[area_integral];
-      result.darea = in_space(sums, area_integral, projection, derived_by);
+      PairGradients          result;
+      PairIntegrals<double> &value = result.value;
+      value.overlaps               = true;
       for (unsigned int A = 0; A < 4; ++A)
-        for (unsigned int B = 0; B < 4; ++B)
-          {
-            const unsigned int D = D_integral(A, B), M = M_integral(A, B);
-            result.value.D[A][B] = sums.value[D];
-            result.value.M[A][B] = sums.value[M];
-            result.dM[A][B]      = in_space(sums, M, projection, derived_by);
-            result.dD[A][B]      = B < A ? result.dD[B][A] :
-                                           in_space(sums, D, projection, derived_by);
-          }
+        {
+          double       &last_M  = value.M[A][3];
+          PairGradient &last_dM = result.dM[A][3];
+          for (unsigned int B = 0; B < 4; ++B)
+            {
+              const unsigned int q = D_integral(A, B);
+              value.D[A][B]        = sums.value[q];
+              result.dD[A][B]      = B < A ?
+                                       result.dD[B][A] :
+                                       in_space(sums, q, projection, derived_by);
+              last_M += value.D[A][B];
+              add(1., result.dD[A][B], last_dM);
+            }
+          value.area += last_M;
+          add(1., last_dM, result.darea);
+          for (unsigned int C = 0; C < 3; ++C)
+            {
+              const unsigned int q = M_integral(A, C);
+              value.M[A][C]        = sums.value[q];
+              result.dM[A][C]      = in_space(sums, q, projection, derived_by);
+              last_M -= value.M[A][C];
+              add(-1., result.dM[A][C], last_dM);
+            }
+        }
       return result;
     }
 

@@ -48,8 +48,8 @@ namespace demold
       segment_positions(segment, slave, master);
     const PlaneVector<Number> centre =
       fan_centre(y, segment.n_vertices, slave_area);
-    const auto slave_corners  = cell_corners(segment.slave, slave);
-    const auto master_corners = cell_corners(segment.master, master);
+    const CellMap on_slave(segment.slave, value_of(slave));
+    const CellMap on_master(segment.master, value_of(master));
     for (unsigned int i = 0; i < segment.n_vertices; ++i)
       {
         const PlaneVector<Number> &a = y[i],
@@ -62,8 +62,8 @@ namespace demold
             for (unsigned int c = 0; c < 2; ++c)
               point[c] = t[0] * centre[c] + t[1] * a[c] + t[2] * b[c];
             add_point(Number(rule.weights[g] * det),
-                      shape_functions(segment.slave, slave_corners, point),
-                      shape_functions(segment.master, master_corners, point),
+                      shape_functions(on_slave, slave, point),
+                      shape_functions(on_master, master, point),
                       4,
                       sums);
           }

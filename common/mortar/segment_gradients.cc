@@ -6,6 +6,7 @@
 #include "mortar/fan.h"
 
 #include <cmath>
+#include <tuple>
 
 namespace demold
 {
@@ -13,12 +14,14 @@ namespace demold
   {
     using Vector   = PlaneVector<double>;
     using Gradient = PlaneVector<IntegralRow>;
-    using Corners  = std::array<Vector, 4>;
-
+    /// Adds to the first @p n integrals.
+    template <unsigned int n = std::tuple_size<IntegralRow>::value>
     void add(const double factor, const IntegralRow &row, IntegralRow &sum)
     {
-      for (unsigned int q = 0; q < row.size(); ++q)
-        sum[q] += factor * row[q];
+      const double *__restrict from = row.data();
+      double *__restrict to         = sum.data();
+      for (unsigned int q = 0; q < n; ++q)
+        to[q] += factor * from[q];
     }
 
     void add(const double factor, const Gradient &gradient, Gradient &sum)
@@ -45,68 +48,58 @@ namespace demold
       std::array<std::array<double, 4>, 2> dN{}; ///< [1/mm] by direction
     };
 
-    FacePoint face_point(const ConvexCell &cell,
-                         const Corners    &x,
-                         const Vector     &y)
+    FacePoint face_point(const CellMap &map, const Vector &y)
     {
-      const Vector start   = cell_parameters(x, cell.n_nodes, y);
-      const Vector xi      = newton_step(x, cell.n_nodes, y, start);
-      const auto   shape   = cell_shape(cell.n_nodes, xi);
-      const auto   inverse = inverse_jacobian(shape, x, cell.n_nodes);
+      const Vector xi      = map.parameters(y);
+      const auto   N       = corner_functions(map.cell.n_nodes, xi);
+      const auto   dN      = corner_derivatives(map.cell.n_nodes, xi);
+      const auto   inverse = map.parameter_derivatives(xi);
       FacePoint    point;
-      for (unsigned int a = 0; a < cell.n_nodes; ++a)
+      for (unsigned int a = 0; a < map.cell.n_nodes; ++a)
         {
-          point.N[cell.nodes[a]] = shape.N[a];
+          const unsigned int node = map.cell.nodes[a];
+          point.N[node]           = N[a];
           for (unsigned int c = 0; c < 2; ++c)
-            point.dN[c][cell.nodes[a]] =
-              shape.dN[a][0] * inverse[0][c] + shape.dN[a][1] * inverse[1][c];
+            point.dN[c][node] =
+              dN[a][0] * inverse[0][c] + dN[a][1] * inverse[1][c];
         }
       return point;
     }
 
-    IntegralRow integrands(const FacePoint &slave, const FacePoint &master)
+    void set_integrands(const FacePoint &slave,
+                        const FacePoint &master,
+                        IntegralRow     &f)
     {
-      IntegralRow f{};
       for (unsigned int A = 0; A < 4; ++A)
         {
+          for (unsigned int C = 0; C < 3; ++C)
+            f[M_integral(A, C)] = slave.N[A] * master.N[C];
           for (unsigned int B = A; B < 4; ++B)
             f[D_integral(A, B)] = slave.N[A] * slave.N[B];
-          for (unsigned int C = 0; C < 4; ++C)
-            f[M_integral(A, C)] = slave.N[A] * master.N[C];
         }
-      f[area_integral] = 1.;
-      return f;
     }
 
-    /// Gradient of the integrands, times @p W, through the slave parameters.
-    Gradient slave_gradient(const double     W,
-                            const FacePoint &slave,
-                            const FacePoint &master)
+    /// Gradients of the integrands, times @p W, through the parameters on the
+    /// slave and on the master. The latter only of M.
+    void set_gradients(const double     W,
+                       const FacePoint &slave,
+                       const FacePoint &master,
+                       Gradient        &through_slave,
+                       Gradient        &through_master)
     {
-      Gradient g{};
       for (unsigned int c = 0; c < 2; ++c)
         for (unsigned int A = 0; A < 4; ++A)
           {
             const double dN_A = W * slave.dN[c][A], N_A = W * slave.N[A];
+            for (unsigned int C = 0; C < 3; ++C)
+              {
+                through_slave[c][M_integral(A, C)]  = dN_A * master.N[C];
+                through_master[c][M_integral(A, C)] = N_A * master.dN[c][C];
+              }
             for (unsigned int B = A; B < 4; ++B)
-              g[c][D_integral(A, B)] = dN_A * slave.N[B] + N_A * slave.dN[c][B];
-            for (unsigned int C = 0; C < 4; ++C)
-              g[c][M_integral(A, C)] = dN_A * master.N[C];
+              through_slave[c][D_integral(A, B)] =
+                dN_A * slave.N[B] + N_A * slave.dN[c][B];
           }
-      return g;
-    }
-
-    /// The same through the master parameters.
-    Gradient master_gradient(const double     W,
-                             const FacePoint &slave,
-                             const FacePoint &master)
-    {
-      Gradient g{};
-      for (unsigned int c = 0; c < 2; ++c)
-        for (unsigned int A = 0; A < 4; ++A)
-          for (unsigned int C = 0; C < 4; ++C)
-            g[c][M_integral(A, C)] = W * slave.N[A] * master.dN[c][C];
-      return g;
     }
 
     /// What depends on the corners of one triangle of the fan.
@@ -120,37 +113,40 @@ namespace demold
     /// at fixed Gauss points, to the derivatives by the nodes.
     TriangleGradients integrate_triangle(const std::array<Vector, 3> &y,
                                          const double                 det,
-                                         const Segment3d             &segment,
-                                         const Corners               &slave,
-                                         const Corners               &master,
+                                         const CellMap               &slave,
+                                         const CellMap               &master,
                                          const TriangleRule          &rule,
                                          PlaneGradients              &sums)
     {
       TriangleGradients result;
+      IntegralRow       f{};
+      Gradient          through{}, through_master{};
       for (unsigned int g = 0; g < rule.n_points; ++g)
         {
           Vector point{};
           for (unsigned int i = 0; i < 3; ++i)
             for (unsigned int c = 0; c < 2; ++c)
               point[c] += rule.points[g][i] * y[i][c];
-          const FacePoint on_slave  = face_point(segment.slave, slave, point);
-          const FacePoint on_master = face_point(segment.master, master, point);
+          const FacePoint on_slave  = face_point(slave, point);
+          const FacePoint on_master = face_point(master, point);
+          const double    W         = rule.weights[g] * det;
+          set_integrands(on_slave, on_master, f);
+          set_gradients(W, on_slave, on_master, through, through_master);
 
-          const IntegralRow f = integrands(on_slave, on_master);
-          const double      W = rule.weights[g] * det;
           add(W, f, sums.value);
           add(rule.weights[g], f, result.by_det);
-
-          Gradient       through = slave_gradient(W, on_slave, on_master);
-          const Gradient other   = master_gradient(W, on_slave, on_master);
-          for (unsigned int I = 0; I < 4; ++I)
+          for (unsigned int c = 0; c < 2; ++c)
             {
-              add(-on_slave.N[I], through, sums.nodes[I]);
-              add(-on_master.N[I], other, sums.nodes[4 + I]);
+              for (unsigned int I = 0; I < 4; ++I)
+                add(-on_slave.N[I], through[c], sums.nodes[I][c]);
+              for (unsigned int J = 0; J < 3; ++J)
+                add<n_M_integrals>(-on_master.N[J],
+                                   through_master[c],
+                                   sums.nodes[4 + J][c]);
+              add<n_M_integrals>(1., through_master[c], through[c]);
+              for (unsigned int i = 0; i < 3; ++i)
+                add(rule.points[g][i], through[c], result.by_corner[i][c]);
             }
-          add(1., other, through);
-          for (unsigned int i = 0; i < 3; ++i)
-            add(rule.points[g][i], through, result.by_corner[i]);
         }
       return result;
     }
@@ -182,6 +178,15 @@ namespace demold
       return result;
     }
 
+    void add_to_master(const unsigned int node,
+                       const double       factor,
+                       const Gradient    &gradient,
+                       PlaneGradients    &sums)
+    {
+      if (node < 3)
+        add(factor, gradient, sums.nodes[4 + node]);
+    }
+
     /// Carries the derivatives by a vertex to the nodes. With the crossing at
     /// the shares s and u of its edges e_s and e_m, and v the velocity of the
     /// master edge there relative to the slave edge,
@@ -197,7 +202,7 @@ namespace demold
       if (vertex.origin == Origin::slave_node)
         return add(1., by_vertex, sums.nodes[vertex.slave[0]]);
       if (vertex.origin == Origin::master_node)
-        return add(1., by_vertex, sums.nodes[4 + vertex.master[0]]);
+        return add_to_master(vertex.master[0], 1., by_vertex, sums);
 
       const Vector x1 = slave[vertex.slave[0]], y1 = master[vertex.master[0]];
       const Vector e_s  = difference(slave[vertex.slave[1]], x1);
@@ -215,8 +220,8 @@ namespace demold
       add(-1., by_master, by_slave);
       add(1. - s, by_slave, sums.nodes[vertex.slave[0]]);
       add(s, by_slave, sums.nodes[vertex.slave[1]]);
-      add(1. - u, by_master, sums.nodes[4 + vertex.master[0]]);
-      add(u, by_master, sums.nodes[4 + vertex.master[1]]);
+      add_to_master(vertex.master[0], 1. - u, by_master, sums);
+      add_to_master(vertex.master[1], u, by_master, sums);
     }
   } // namespace
 
@@ -230,8 +235,8 @@ namespace demold
     const unsigned int n          = segment.n_vertices;
     const auto         y          = segment_positions(segment, slave, master);
     const Vector       centre     = fan_centre(y, n, slave_area);
-    const Corners      slave_corners  = cell_corners(segment.slave, slave);
-    const Corners      master_corners = cell_corners(segment.master, master);
+    const CellMap      on_slave(segment.slave, slave);
+    const CellMap      on_master(segment.master, master);
 
     std::array<Gradient, Segment3d::max_vertices> by_vertex{};
     Gradient                                      by_centre{};
@@ -245,9 +250,8 @@ namespace demold
         twice_area += det;
         TriangleGradients t = integrate_triangle({{centre, y[i], y[j]}},
                                                  det,
-                                                 segment,
-                                                 slave_corners,
-                                                 master_corners,
+                                                 on_slave,
+                                                 on_master,
                                                  rule,
                                                  sums);
         add(b[1], t.by_det, t.by_corner[1][0]);

@@ -11,12 +11,17 @@
 namespace demold
 {
   /// One number per integral of a pair, so that the innermost loops run over
-  /// integrals: the upper triangle of D, M row by row, the area, and one left
-  /// over.
-  using IntegralRow = std::array<double, 28>;
+  /// integrals: the first three columns of M, then the upper triangle of D. The
+  /// rest follows from sum_C M_AC = sum_B D_AB and area = sum_AB D_AB.
+  using IntegralRow = std::array<double, 22>;
 
-  constexpr unsigned int n_D_integrals = 10;
-  constexpr unsigned int area_integral = 26;
+  constexpr unsigned int n_M_integrals = 12;
+
+  /// Place of M_AC, C < 3, in an IntegralRow.
+  constexpr unsigned int M_integral(const unsigned int A, const unsigned int C)
+  {
+    return 3 * A + C;
+  }
 
   /// Place of D_AB in an IntegralRow.
   constexpr unsigned int D_integral(const unsigned int A, const unsigned int B)
@@ -25,21 +30,17 @@ namespace demold
                                        {1, 4, 5, 6},
                                        {2, 5, 7, 8},
                                        {3, 6, 8, 9}};
-    return place[A][B];
-  }
-
-  /// Place of M_AC in an IntegralRow.
-  constexpr unsigned int M_integral(const unsigned int A, const unsigned int C)
-  {
-    return n_D_integrals + 4 * A + C;
+    return n_M_integrals + place[A][B];
   }
 
   /// Integrals of a pair [mm^2] and their derivatives [mm] by the coordinates
-  /// of the projected nodes of the slave (0 to 3) and the master (4 to 7).
+  /// of the projected nodes of the slave (0 to 3) and the master (4 to 6).
+  /// Those by the last node of the master are minus the sum of the others: the
+  /// integrals do not change if all points shift.
   struct PlaneGradients
   {
     IntegralRow                             value{};
-    std::array<PlaneVector<IntegralRow>, 8> nodes{};
+    std::array<PlaneVector<IntegralRow>, 7> nodes{};
   };
 
   /// Adds what add_segment() of pair_integrals.templates.h computes, with its
