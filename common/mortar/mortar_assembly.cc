@@ -175,7 +175,7 @@ namespace demold
     LocalSystem                     local(no_nodes);
     Tensor<2, 3>                    row;
     for (unsigned int d = 0; d < 3; ++d)
-      row[d][d] = -1. / resolvent.penalty;
+      row[d][d] = -point(own).area;
     local.add(local.multiplier, row * multiplier(state, own));
     local.add(local.multiplier, local.multiplier, row);
     insert(assembler, own, local);
@@ -206,7 +206,7 @@ namespace demold
       point_constraint(resolvent, input, old.law, newton_memory[own]);
 
     LocalSystem  local(gap.nodes);
-    const double share = gap.area / point(own).area;
+    const double share = resolvent.penalty * gap.area; // theory C9
     const auto   m     = local.multiplier;
     local.add(m, share * response.residual);
     for (unsigned int k = 0; k < row.nodes.size(); ++k)
@@ -221,8 +221,8 @@ namespace demold
                     l,
                     share * (response.dgap * gap.dgap[l] +
                              response.dnormal * gap.dnormal[l]) +
-                      outer_product(response.residual, gap.darea[l]) /
-                        point(own).area);
+                      resolvent.penalty *
+                        outer_product(response.residual, gap.darea[l]));
         add_force_tangent(row, input.traction, local);
       }
     insert(assembler, own, local);

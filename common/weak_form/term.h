@@ -82,7 +82,8 @@ namespace demold
     virtual bool symmetric() const = 0;
 
     /// Ranks that own the extra unknowns of this term (one entry per unknown,
-    /// the same list on every rank). They follow the displacements.
+        /// the same list on every rank). They follow the displacements. Their
+    /// rows are scaled as forces [N]: Newton judges them with these.
     virtual std::vector<unsigned int> extra_unknown_owners() const
     {
       return {};

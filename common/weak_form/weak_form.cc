@@ -285,7 +285,7 @@ namespace demold
       std::sqrt(Utilities::MPI::sum(squares[1], space.communicator));
     norms.scale =
       std::max({bulk.l2_norm(), interface.l2_norm(), inertia.l2_norm()});
-    norms.extra_scale = trial.l2_norm();
+    norms.unknowns = trial.l2_norm();
     return norms;
   }
 
