@@ -25,7 +25,7 @@ namespace demold
   /// Condition number (1-norm, M_e scaled to a unit diagonal) beyond which a
   /// face counts as little covered. A fully covered parallelogram has 9, a
   /// face covered by a corner of a tenth of its edges some 1e5.
-  constexpr double worst_dual_condition = 1e7;
+  constexpr double worst_dual_condition = 1e5;
 
   /// The basis from the standard @p D of a face, summed over all its masters.
   DualBasis dual_basis(const NodeMatrix<double> &D, const unsigned int n_nodes);
