@@ -110,7 +110,8 @@ namespace demold
           const Tensor<1, 3> &n = normals[own].n;
           const double        gap =
             n * weighted_gap(surfaces, values[own]) / values[own].area;
-          if (n * multiplier(state, own) + resolvent.penalty * gap <= 0.)
+          if (holds_at_start(state, own) ||
+              n * multiplier(state, own) + resolvent.penalty * gap <= 0.)
             demand[own] = RowDemand::derivatives;
         }
     return demand;
@@ -136,6 +137,13 @@ namespace demold
       state.time - state.dt,
       current_position(surfaces.node(node), state.u_old, surfaces.dim()));
     return gap + n * (surfaces.x(node) - x_old) > -.01 * point(own).depth;
+  }
+
+  bool MortarTerm::holds_at_start(const Configuration &state,
+                                  const unsigned int   own) const
+  {
+    return state.iteration == 0 && committed[own].closed &&
+           committed[own].traction.norm_square() == 0.;
   }
 
   PointGap MortarTerm::frozen_gap(const unsigned int own) const
@@ -202,6 +210,7 @@ namespace demold
     input.traction   = multiplier(state, own);
     input.old_gap    = holds ? old.gap : Tensor<1, 3>();
     input.compliance = compliance[own];
+    input.is_pressed = holds_at_start(state, own);
     const ConstraintResponse response =
       point_constraint(resolvent, input, old.law, newton_memory[own]);
 

@@ -2,6 +2,7 @@
 // Life of the mortar term: start, increments, checkpoints.
 #include "mortar/mortar_term.h"
 
+#include "contact/closest_point.h"
 #include "mortar/point_gap.h"
 #include "weak_form/assembler.h"
 
@@ -118,7 +119,7 @@ namespace demold
         history.has_gap            = true;
         history.area               = row.area;
         history.gap_N = normals[own].n * weighted_gap(surfaces, row) / row.area;
-        history.closed        = history.gap_N <= touching_gap;
+        history.closed        = history.gap_N <= touching_gap || touches(own);
         history.law.may_stick = history.closed;
         const Point<3> &X     = surfaces.x(point(own).node);
         if (description.adhesion && description.bonded(X) &&
@@ -126,6 +127,23 @@ namespace demold
           bond(own);
       }
     keep_slip_rows();
+  }
+
+  /// Does the node of the point lie on the other surface?
+  bool MortarTerm::touches(const unsigned int own) const
+  {
+    const Point<3> &x = surfaces.x(point(own).node);
+    for (const unsigned int face : point(own).facets)
+      for (const unsigned int facet : surfaces.opposite(face))
+        {
+          const Projection foot =
+            project(x, surfaces.master().surface.facet_positions(facet));
+          if (foot.found && (x - foot.x).norm() <= touching_gap &&
+              std::abs(foot.xi[0]) <= 1. + inside_tolerance &&
+              std::abs(foot.xi[1]) <= 1. + inside_tolerance)
+            return true;
+        }
+    return false;
   }
 
   bool MortarTerm::is_covered(const unsigned int own) const

@@ -99,6 +99,9 @@ namespace demold
     bool                   is_covered(const unsigned int own) const;
     bool is_opposed(const Configuration &, const unsigned int own) const;
 
+    bool holds_at_start(const Configuration &, const unsigned int own) const;
+    bool touches(const unsigned int own) const;
+
     PointGap frozen_gap(const unsigned int own) const;
     PointGap current_gap(const unsigned int own) const;
     void     assemble_point(const Configuration &,
