@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace demold
 {
@@ -45,6 +46,9 @@ namespace demold
     count_change(own, point.number);
 
     now.stored += gap.area * law.stored;
+    for (unsigned int d = 0; d < 3; ++d)
+      now.stored +=
+        .5 * gap.area * compliance[own][d] * std::pow(input.traction[d], 2);
     now.friction += gap.area * law.friction_increment;
     increment.lost += gap.area * law.dissipated_increment;
     if (law.dissipated_increment > 0.)

@@ -25,10 +25,13 @@ namespace demold
     /// (theory B.11).
     constexpr double smallest_cover = .01;
 
-    /// Compliance of multipliers that the constraints alone leave undetermined
-    /// (two patches at one edge node, nodes with supports), over 1/c_N: their
-    /// gaps are wrong by this share of lambda/c_N.
-    constexpr double relative_compliance = 1e-6;
+    /// Compliances over 1/c_N of multipliers that their constraints alone
+    /// leave undetermined. Gaps are wrong by this share of lambda/c_N.
+    /// Two patches share an edge node, or the whole face is driven:
+    constexpr double vanishing_compliance = 1e-6;
+    /// A support holds the node, but not its neighbours: a stiffer bond to a
+    /// mould that moves on would tear at them through the multiplier.
+    constexpr double support_compliance = 1.;
 
     PairOptions pair_options(const InterfaceDescription &description)
     {
@@ -96,12 +99,23 @@ namespace demold
       ++points_at_node[point.node];
     for (unsigned int own = 0; own < committed.size(); ++own)
       {
-        const unsigned int node = point(own).node;
+        std::set<unsigned int> around;
+        for (const unsigned int face : point(own).facets)
+          surfaces.add_slave_nodes(face, around);
         compliance.emplace_back();
         for (unsigned int d = 0; d < surfaces.dim(); ++d)
-          if (points_at_node[node] > 1 ||
-              is_held(surfaces.node(node).unknowns[d]))
-            compliance[own][d] = relative_compliance / resolvent.penalty;
+          {
+            const auto held = [&](const unsigned int node) {
+              return is_held(surfaces.node(node).unknowns[d]);
+            };
+            const bool all_held =
+              std::all_of(around.begin(), around.end(), held);
+            if (held(point(own).node) && !all_held)
+              compliance[own][d] = support_compliance;
+            else if (all_held || points_at_node[point(own).node] > 1)
+              compliance[own][d] = vanishing_compliance;
+          }
+        compliance[own] /= resolvent.penalty;
       }
   }
 
