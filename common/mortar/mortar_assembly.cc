@@ -67,25 +67,30 @@ namespace demold
   bool MortarTerm::assemble(const Configuration &state, Assembler &assembler)
   {
     Timer timer;
-    now           = Energies();
-    increment     = Increment();
-    state_changes = 0;
-    settled       = true;
-    trial         = committed;
-    normals       = mortar.normals();
-    rows          = mortar.rows(row_demand(state, assembler.with_tangent()));
+    now            = Energies();
+    increment      = Increment();
+    state_changes  = 0;
+    settled        = true;
+    trial          = committed;
+    normals        = mortar.normals();
+    rows           = mortar.rows(row_demand(state, assembler.with_tangent()));
+    bool found_all = true;
     for (unsigned int own = 0; own < trial.size(); ++own)
-      if (resolvent.holds(committed[own].law) || is_opposed(state, own))
-        assemble_point(state, assembler, own);
-      else
+      if (!resolvent.holds(committed[own].law) && !is_opposed(state, own))
         assemble_idle(state, assembler, own);
+      else if (!is_condensed())
+        assemble_point(state, assembler, own);
+      else if (!is_lone(own))
+        found_all = assemble_springlike(state, assembler, own) && found_all;
     seconds += timer.wall_time();
-    return true;
+    return found_all;
   }
 
   Tensor<1, 3> MortarTerm::multiplier(const Configuration &state,
                                       const unsigned int   own) const
   {
+    if (is_condensed())
+      return found[own];
     Tensor<1, 3> lambda;
     for (unsigned int d = 0; d < surfaces.dim(); ++d)
       lambda[d] = state.u(first_unknown(own) + d);
@@ -111,6 +116,7 @@ namespace demold
           const double        gap =
             n * weighted_gap(surfaces, values[own]) / values[own].area;
           if (holds_at_start(state, own) ||
+              (is_condensed() && (committed[own].closed || gap <= 0.)) ||
               n * multiplier(state, own) + resolvent.penalty * gap <= 0.)
             demand[own] = RowDemand::derivatives;
         }
@@ -175,10 +181,39 @@ namespace demold
     return current_point_gap(surfaces, rows[own], slip_rows[own], normals[own]);
   }
 
+  PointGap MortarTerm::gap_of(const unsigned int own) const
+  {
+    return resolvent.holds(committed[own].law) ? frozen_gap(own) :
+                                                 current_gap(own);
+  }
+
+  const NodalRow &MortarTerm::row_of(const unsigned int own) const
+  {
+    return resolvent.holds(committed[own].law) ? frozen[own].row : rows[own];
+  }
+
+  ConstraintInput MortarTerm::constraint_input(const Configuration &state,
+                                               const unsigned int   own,
+                                               const PointGap      &gap)
+  {
+    newton_memory[own].iteration = state.iteration;
+    ConstraintInput input;
+    input.gap      = gap.gap;
+    input.normal   = normals[own].n;
+    input.traction = multiplier(state, own);
+    if (resolvent.holds(committed[own].law))
+      input.old_gap = committed[own].gap;
+    input.compliance = compliance[own];
+    input.is_pressed = holds_at_start(state, own);
+    return input;
+  }
+
   void MortarTerm::assemble_idle(const Configuration &state,
                                  Assembler           &assembler,
                                  const unsigned int   own)
   {
+    if (is_condensed())
+      found[own] = Tensor<1, 3>();
     const std::vector<unsigned int> no_nodes;
     LocalSystem                     local(no_nodes);
     Tensor<2, 3>                    row;
@@ -186,7 +221,8 @@ namespace demold
       row[d][d] = -point(own).area;
     local.add(local.multiplier, row * multiplier(state, own));
     local.add(local.multiplier, local.multiplier, row);
-    insert(assembler, own, local);
+    if (!is_condensed())
+      insert(assembler, own, local);
     MultiplierHistory &point = trial[own];
     point                    = MultiplierHistory();
     point.law                = without_contact(committed[own].law);
@@ -198,21 +234,13 @@ namespace demold
                                   Assembler           &assembler,
                                   const unsigned int   own)
   {
-    const MultiplierHistory &old   = committed[own];
-    const bool               holds = resolvent.holds(old.law);
-    const PointGap           gap   = holds ? frozen_gap(own) : current_gap(own);
-    const NodalRow          &row   = holds ? frozen[own].row : rows[own];
-
-    newton_memory[own].iteration = state.iteration;
-    ConstraintInput input;
-    input.gap        = gap.gap;
-    input.normal     = normals[own].n;
-    input.traction   = multiplier(state, own);
-    input.old_gap    = holds ? old.gap : Tensor<1, 3>();
-    input.compliance = compliance[own];
-    input.is_pressed = holds_at_start(state, own);
-    const ConstraintResponse response =
-      point_constraint(resolvent, input, old.law, newton_memory[own]);
+    const PointGap           gap      = gap_of(own);
+    const NodalRow          &row      = row_of(own);
+    const ConstraintInput    input    = constraint_input(state, own, gap);
+    const ConstraintResponse response = point_constraint(resolvent,
+                                                         input,
+                                                         committed[own].law,
+                                                         newton_memory[own]);
 
     LocalSystem  local(gap.nodes);
     const double share = resolvent.penalty * gap.area; // theory C9

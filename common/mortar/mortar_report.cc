@@ -53,8 +53,7 @@ namespace demold
     increment.lost += gap.area * law.dissipated_increment;
     if (law.dissipated_increment > 0.)
       increment.front += gap.area;
-    const NodalRow &row =
-      resolvent.holds(old.law) ? frozen[own].row : rows[own];
+    const NodalRow &row = row_of(own);
     // Pressure that works while the point closes or opens.
     if (old.has_gap)
       now.impact += .5 * gap.area *

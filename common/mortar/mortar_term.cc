@@ -33,6 +33,9 @@ namespace demold
     /// mould that moves on would tear at them through the multiplier.
     constexpr double support_compliance = 1.;
 
+    /// The multiplier is found from the gap, as that of a stiff spring.
+    constexpr double condensed_compliance = 1e-3;
+
     PairOptions pair_options(const InterfaceDescription &description)
     {
       PairOptions        options;
@@ -86,6 +89,7 @@ namespace demold
     newton_memory.resize(n);
     just_closed.assign(n, false);
     last_number.assign(n, state_free);
+    found.resize(n);
     find_compliance(is_held);
     start_points();
     trial = committed;
@@ -115,6 +119,10 @@ namespace demold
             else if (all_held || points_at_node[point(own).node] > 1)
               compliance[own][d] = vanishing_compliance;
           }
+        if (is_condensed() && !is_lone(own))
+          for (unsigned int d = 0; d < surfaces.dim(); ++d)
+            compliance[own][d] =
+              std::max(compliance[own][d], condensed_compliance);
         compliance[own] /= resolvent.penalty;
       }
   }
@@ -239,6 +247,8 @@ namespace demold
   std::vector<unsigned int> MortarTerm::extra_unknown_owners() const
   {
     std::vector<unsigned int> owners;
+    if (is_condensed())
+      return owners;
     for (const unsigned int rank : surfaces.owners())
       owners.insert(owners.end(), surfaces.dim(), rank);
     return owners;
@@ -280,7 +290,7 @@ namespace demold
           if (!surfaces.is_rigid(node))
             for (unsigned int d = 0; d < surfaces.dim(); ++d)
               indices.push_back(surfaces.node(node).unknowns[d]);
-        for (unsigned int d = 0; d < surfaces.dim(); ++d)
+        for (unsigned int d = 0; !is_condensed() && d < surfaces.dim(); ++d)
           indices.push_back(first_unknown(own) + d);
         constraints.add_entries_local_to_global(indices, pattern, false);
       }

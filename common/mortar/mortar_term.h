@@ -20,6 +20,12 @@ namespace demold
   /// contact, friction and adhesion, solved together with everything else by
   /// semi-smooth Newton.
   ///
+  /// Dual multipliers on a rigid mould are condensed: lambda is the force that
+  /// the rest of the system leaves unbalanced at the node, over D_AA, and the
+  /// rows of the node become the constraint. Points that share their node with
+  /// another patch, or whose node has a support, cannot be treated so: they
+  /// take a small compliance and find lambda from their own gap.
+  ///
   /// A point that holds a bond uses the operator frozen at bonding, on the
   /// reference configuration: lambda is a nominal traction. All others use the
   /// current segments: lambda is a Cauchy traction.
@@ -49,6 +55,7 @@ namespace demold
     bool           couplings_changed() const override;
     void           prepare(const Configuration &) override;
     bool           assemble(const Configuration &, Assembler &) override;
+    void           condense(const Configuration &, CondensedRows &) override;
     unsigned int   n_state_changes() const override;
     bool           has_settled() const override;
     IncrementError increment_error() const override;
@@ -102,23 +109,38 @@ namespace demold
     bool holds_at_start(const Configuration &, const unsigned int own) const;
     bool touches(const unsigned int own) const;
 
-    PointGap frozen_gap(const unsigned int own) const;
-    PointGap current_gap(const unsigned int own) const;
-    void     assemble_point(const Configuration &,
-                            Assembler &,
-                            const unsigned int own);
-    void     assemble_idle(const Configuration &,
-                           Assembler &,
-                           const unsigned int own);
-    void     add_force_tangent(const NodalRow             &row,
-                               const dealii::Tensor<1, 3> &traction,
-                               LocalSystem                &local) const;
+    PointGap        frozen_gap(const unsigned int own) const;
+    PointGap        current_gap(const unsigned int own) const;
+    PointGap        gap_of(const unsigned int own) const;
+    const NodalRow &row_of(const unsigned int own) const;
+    ConstraintInput constraint_input(const Configuration &,
+                                     const unsigned int own,
+                                     const PointGap    &gap);
+    void            assemble_point(const Configuration &,
+                                   Assembler &,
+                                   const unsigned int own);
+    void            assemble_idle(const Configuration &,
+                                  Assembler &,
+                                  const unsigned int own);
+    void            add_force_tangent(const NodalRow             &row,
+                                      const dealii::Tensor<1, 3> &traction,
+                                      LocalSystem                &local) const;
     void insert(Assembler &, const unsigned int own, const LocalSystem &) const;
     void account(const Configuration &,
                  const unsigned int        own,
                  const ConstraintInput    &input,
                  const ConstraintResponse &response,
                  const PointGap           &gap);
+    // Condensed multipliers.
+    bool is_condensed() const;
+    bool is_lone(const unsigned int own) const;
+    void condense_point(const Configuration &,
+                        CondensedRows &,
+                        const unsigned int own);
+    bool assemble_springlike(const Configuration &,
+                             Assembler &,
+                             const unsigned int own);
+
     void count_change(const unsigned int own, const int number);
 
     const InterfaceDescription        description;
@@ -127,6 +149,7 @@ namespace demold
     MortarOperator                    mortar;
     TractionResolvent                 resolvent;
     std::vector<dealii::Tensor<1, 3>> compliance; ///< [mm/MPa]
+    std::vector<dealii::Tensor<1, 3>> found;      ///< lambda [MPa] if condensed
     dealii::types::global_dof_index   first_multiplier = 0;
 
     // One entry per own point.
