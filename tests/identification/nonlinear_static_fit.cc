@@ -204,6 +204,24 @@ namespace
                     1e-14);
   }
 
+  // Up to this stretch one term is all that Treloar's data ask for.
+  TEST(ogden, a_term_that_vanishes_leaves_the_judgement_on_the_other)
+  {
+    StaticFit fit;
+    fit.max_stretch = 1.6;
+    const auto one  = fit.fit(ogden(1), treloar()).report,
+               two  = fit.fit(ogden(2), treloar()).report;
+    ASSERT_EQ(two.parameters[2].value, 0.);
+    for (unsigned int j = 0; j < 2; ++j)
+      EXPECT_NEAR(two.parameters[j].standard_error /
+                    one.parameters[j].standard_error,
+                  1.,
+                  1e-5);
+    EXPECT_NE(two.identifiability().find("does not feel alpha2"),
+              std::string::npos)
+      << two.identifiability();
+  }
+
   // It contains Mooney-Rivlin, and one term is contained in two.
   TEST(ogden, fits_treloars_rubber_the_better_the_more_it_may)
   {
