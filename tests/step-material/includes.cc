@@ -144,9 +144,9 @@ namespace demold
                      "  set opening time = 10\n  set end time = " +
                      t90.str() +
                      "\n  subsection Mould side\n    set contact = perfect\n"
-                     "    set temperature = 160\n  end\n"
+                     "    set temperature = 0: 160\n  end\n"
                      "  subsection Bladder side\n    set contact = perfect\n"
-                     "    set temperature = 160\n  end\nend\n"),
+                     "    set temperature = 0: 160\n  end\nend\n"),
       {"Press/air temperature=160"});
     EXPECT_NEAR(run.number("f90 in the middle [-]"), 1., 1e-6);
     EXPECT_NEAR(run.number("degree of cure in the middle [-]"), .9, .03);
