@@ -24,7 +24,8 @@ namespace demold
         EXPECT_GT(gain("in the middle"), gain(surface));
       }
     // Nowhere hotter than the hottest of what heats it.
-    for (const double T : run.table("history.csv")["temperature at 4 mm [degC]"])
+    const CsvTable history = run.table("history.csv");
+    for (const double T : history["temperature at 4 mm [degC]"])
       EXPECT_LT(T, 190.);
   }
 } // namespace demold
