@@ -67,23 +67,23 @@ namespace demold
   bool MortarTerm::assemble(const Configuration &state, Assembler &assembler)
   {
     Timer timer;
-    now            = Energies();
-    increment      = Increment();
-    state_changes  = 0;
-    settled        = true;
-    trial          = committed;
-    normals        = mortar.normals();
-    rows           = mortar.rows(row_demand(state, assembler.with_tangent()));
-    bool found_all = true;
+    now           = Energies();
+    increment     = Increment();
+    state_changes = 0;
+    settled       = true;
+    trial         = committed;
+    normals       = mortar.normals();
+    rows          = mortar.rows(row_demand(state, assembler.with_tangent()));
+
     for (unsigned int own = 0; own < trial.size(); ++own)
       if (!resolvent.holds(committed[own].law) && !is_opposed(state, own))
         assemble_idle(state, assembler, own);
       else if (!is_condensed())
         assemble_point(state, assembler, own);
       else if (!is_lone(own))
-        found_all = assemble_springlike(state, assembler, own) && found_all;
+        assemble_eliminated(state, assembler, own);
     seconds += timer.wall_time();
-    return found_all;
+    return true;
   }
 
   Tensor<1, 3> MortarTerm::multiplier(const Configuration &state,

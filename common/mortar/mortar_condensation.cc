@@ -14,18 +14,6 @@ namespace demold
 
   namespace
   {
-    /// Relative accuracy of a multiplier found from its own gap.
-    constexpr double local_tolerance = 1e-13;
-
-    /// No rule of Newton's applies to a single point.
-    NewtonMemory free_choice()
-    {
-      NewtonMemory memory;
-      memory.iteration = 1;
-      memory.bond      = AdhesionStatus::decohesion;
-      return memory;
-    }
-
     /// Inverse of a matrix whose rows and columns from @p dim on are zero.
     Tensor<2, 3> inverse(Tensor<2, 3> a, const unsigned int dim)
     {
@@ -117,58 +105,91 @@ namespace demold
     account(state, own, input, response, gap);
   }
 
-  /// Of a point with compliance: its multiplier follows from its own gap.
-  bool MortarTerm::assemble_springlike(const Configuration &state,
+  void EliminatedMultiplier::restart(const Tensor<1, 3> &lambda)
+  {
+    at      = lambda;
+    offset  = Tensor<1, 3>();
+    columns = {};
+    u.clear();
+    by_u.clear();
+  }
+
+  Tensor<1, 3> EliminatedMultiplier::value(const demold::Vector &now) const
+  {
+    Tensor<1, 3> lambda = at + offset;
+    for (unsigned int k = 0; k < columns.size(); ++k)
+      lambda += (now(columns[k]) - u[k]) * by_u[k];
+    return lambda;
+  }
+
+  /// A point with compliance: R(u, lambda) = 0 is solved for the change of
+  /// lambda, which goes into the rows of its node and is remembered until
+  /// Newton has found the change of u.
+  void MortarTerm::assemble_eliminated(const Configuration &state,
                                        Assembler           &assembler,
                                        const unsigned int   own)
   {
-    const unsigned int dim   = surfaces.dim();
-    const PointGap     gap   = gap_of(own);
-    ConstraintInput    input = constraint_input(state, own, gap);
-    newton_memory[own]       = free_choice();
-    ConstraintResponse response;
-    const double       goal =
-      local_tolerance * (input.gap.norm() + 1. / resolvent.penalty);
-    Tensor<2, 3> by_gap; // dlambda/dgap at a fixed normal, as an inverse first
-    for (unsigned int iteration = 0;; ++iteration)
-      {
-        response = point_constraint(resolvent,
-                                    input,
-                                    committed[own].law,
-                                    newton_memory[own]);
-        by_gap   = -1. * inverse(response.dtraction, dim);
-        if (response.residual.norm() <= goal)
-          break;
-        if (iteration == 100)
-          return false;
-        input.traction += by_gap * response.residual;
-      }
-    found[own] = input.traction;
+    const unsigned int    dim         = surfaces.dim();
+    const PointGap        gap         = gap_of(own);
+    EliminatedMultiplier &kept        = eliminated[own];
+    found[own]                        = kept.value(state.u);
+    const ConstraintInput    input    = constraint_input(state, own, gap);
+    const ConstraintResponse response = point_constraint(resolvent,
+                                                         input,
+                                                         committed[own].law,
+                                                         newton_memory[own]);
+    const Tensor<2, 3>       solved   = -1. * inverse(response.dtraction, dim);
+    const Tensor<1, 3>       offset   = solved * response.residual;
 
     const unsigned int n = gap.nodes.size();
     const unsigned int place =
       std::find(gap.nodes.begin(), gap.nodes.end(), point(own).node) -
       gap.nodes.begin();
-
     NodalUnknowns unknowns;
     for (unsigned int l = 0; l < n; ++l)
       unknowns.add(surfaces.node(gap.nodes[l]), l, dim);
     dealii::Vector<double> r(3 * n);
     FullMatrix<double>     k(3 * n, 3 * n);
     for (unsigned int i = 0; i < 3; ++i)
-      r(3 * place + i) = -gap.area * input.traction[i];
+      r(3 * place + i) = -gap.area * (input.traction + offset)[i];
+    std::vector<Tensor<2, 3>> change(n);
     for (unsigned int l = 0; l < n; ++l)
       {
-        const Tensor<2, 3> change =
-          gap.area * (by_gap * (response.dgap * gap.dgap[l] +
-                                response.dnormal * gap.dnormal[l])) +
-          outer_product(input.traction, gap.darea[l]);
+        change[l] =
+          solved *
+          (response.dgap * gap.dgap[l] + response.dnormal * gap.dnormal[l] +
+           outer_product(response.residual, gap.darea[l]) / gap.area);
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int j = 0; j < 3; ++j)
-            k(3 * place + i, 3 * l + j) -= change[i][j];
+            k(3 * place + i, 3 * l + j) =
+              -gap.area * change[l][i][j] -
+              (input.traction + offset)[i] * gap.darea[l][j];
       }
+    if (assembler.with_tangent())
+      kept.remember(input.traction, offset, unknowns, change, state.u);
     add_forces(assembler, unknowns, 1., r, k);
     account(state, own, input, response, gap);
-    return true;
+  }
+
+  void EliminatedMultiplier::remember(const Tensor<1, 3>  &lambda,
+                                      const Tensor<1, 3>  &new_offset,
+                                      const NodalUnknowns &unknowns,
+                                      const std::vector<Tensor<2, 3>> &change,
+                                      const demold::Vector            &now)
+  {
+    at      = lambda;
+    offset  = new_offset;
+    columns = unknowns.indices;
+    u.clear();
+    by_u.clear();
+    for (unsigned int k = 0; k < columns.size(); ++k)
+      {
+        u.push_back(now(columns[k]));
+        Tensor<1, 3> column;
+        for (unsigned int i = 0; i < 3; ++i)
+          column[i] =
+            change[unknowns.entries[k] / 3][i][unknowns.entries[k] % 3];
+        by_u.push_back(column);
+      }
   }
 } // namespace demold

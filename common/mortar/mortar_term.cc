@@ -33,9 +33,6 @@ namespace demold
     /// mould that moves on would tear at them through the multiplier.
     constexpr double support_compliance = 1.;
 
-    /// The multiplier is found from the gap, as that of a stiff spring.
-    constexpr double condensed_compliance = 1e-3;
-
     PairOptions pair_options(const InterfaceDescription &description)
     {
       PairOptions        options;
@@ -90,6 +87,7 @@ namespace demold
     just_closed.assign(n, false);
     last_number.assign(n, state_free);
     found.resize(n);
+    eliminated.resize(n);
     find_compliance(is_held);
     start_points();
     trial = committed;
@@ -122,7 +120,7 @@ namespace demold
         if (is_condensed() && !is_lone(own))
           for (unsigned int d = 0; d < surfaces.dim(); ++d)
             compliance[own][d] =
-              std::max(compliance[own][d], condensed_compliance);
+              std::max(compliance[own][d], vanishing_compliance);
         compliance[own] /= resolvent.penalty;
       }
   }
@@ -309,6 +307,8 @@ namespace demold
       {
         last_dt = state.dt;
         newton_memory.assign(newton_memory.size(), NewtonMemory());
+        for (unsigned int own = 0; own < committed.size(); ++own)
+          eliminated[own].restart(committed[own].traction);
       }
     seconds += timer.wall_time();
   }

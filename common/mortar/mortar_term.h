@@ -4,6 +4,7 @@
 #define demold_mortar_mortar_term_h
 
 #include "contact/interface_term.h"
+#include "mortar/eliminated_multiplier.h"
 #include "mortar/mortar_operator.h"
 #include "mortar/mortar_surfaces.h"
 #include "mortar/multiplier_history.h"
@@ -24,7 +25,7 @@ namespace demold
   /// the rest of the system leaves unbalanced at the node, over D_AA, and the
   /// rows of the node become the constraint. Points that share their node with
   /// another patch, or whose node has a support, cannot be treated so: they
-  /// take a small compliance and find lambda from their own gap.
+  /// take a small compliance, so that their own constraint gives lambda.
   ///
   /// A point that holds a bond uses the operator frozen at bonding, on the
   /// reference configuration: lambda is a nominal traction. All others use the
@@ -137,7 +138,7 @@ namespace demold
     void condense_point(const Configuration &,
                         CondensedRows &,
                         const unsigned int own);
-    bool assemble_springlike(const Configuration &,
+    void assemble_eliminated(const Configuration &,
                              Assembler &,
                              const unsigned int own);
 
@@ -150,6 +151,7 @@ namespace demold
     TractionResolvent                 resolvent;
     std::vector<dealii::Tensor<1, 3>> compliance; ///< [mm/MPa]
     std::vector<dealii::Tensor<1, 3>> found;      ///< lambda [MPa] if condensed
+    std::vector<EliminatedMultiplier> eliminated;
     dealii::types::global_dof_index   first_multiplier = 0;
 
     // One entry per own point.
