@@ -80,7 +80,7 @@ namespace demold
         assemble_idle(state, assembler, own);
       else if (!is_condensed())
         assemble_point(state, assembler, own);
-      else if (!is_lone(own))
+      else if (!has_own_rows(own))
         assemble_eliminated(state, assembler, own);
     seconds += timer.wall_time();
     return true;

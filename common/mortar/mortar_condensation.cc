@@ -32,9 +32,9 @@ namespace demold
            surfaces.master().is_rigid();
   }
 
-  bool MortarTerm::is_lone(const unsigned int own) const
+  bool MortarTerm::has_own_rows(const unsigned int own) const
   {
-    return compliance[own].norm_square() == 0.;
+    return !shared[own] && !free[own].empty();
   }
 
   void MortarTerm::condense(const Configuration &state, CondensedRows &system)
@@ -43,7 +43,7 @@ namespace demold
       return;
     Timer timer;
     for (unsigned int own = 0; own < trial.size(); ++own)
-      if (is_lone(own) &&
+      if (has_own_rows(own) &&
           (resolvent.holds(committed[own].law) || is_opposed(state, own)))
         condense_point(state, system, own);
     seconds += timer.wall_time();
@@ -56,53 +56,70 @@ namespace demold
                                   CondensedRows       &system,
                                   const unsigned int   own)
   {
-    const unsigned int       dim   = surfaces.dim();
-    const auto              &first = surfaces.node(point(own).node).unknowns;
-    const Assembler::Indices rows_of_node(first.begin(), first.begin() + dim);
-    const PointGap           gap = gap_of(own);
-    for (unsigned int d = 0; d < dim; ++d)
-      found[own][d] = system.residual_of(rows_of_node[d]) / gap.area;
+    const auto &unknowns = surfaces.node(point(own).node).unknowns;
+    const std::vector<unsigned int> &components = free[own];
+    const PointGap                   gap        = gap_of(own);
+    Assembler::Indices               rows_of_node;
+    found[own] = Tensor<1, 3>();
+    for (const unsigned int d : components)
+      {
+        rows_of_node.push_back(unknowns[d]);
+        found[own][d] = system.residual_of(unknowns[d]) / gap.area;
+      }
     const ConstraintInput    input    = constraint_input(state, own, gap);
     const ConstraintResponse response = point_constraint(resolvent,
                                                          input,
                                                          committed[own].law,
                                                          newton_memory[own]);
 
-    const double           scale = resolvent.penalty * gap.area;
-    dealii::Vector<double> residual(dim);
-    FullMatrix<double>     T(dim, dim);
-    for (unsigned int i = 0; i < dim; ++i)
+    const unsigned int     n = components.size();
+    dealii::Vector<double> residual(n);
+    FullMatrix<double>     T(n, n);
+    for (unsigned int i = 0; i < n; ++i)
       {
-        residual(i) = -scale * response.residual[i];
-        for (unsigned int j = 0; j < dim; ++j)
-          T(i, j) = -resolvent.penalty * response.dtraction[i][j];
+        residual(i) =
+          -resolvent.penalty * gap.area * response.residual[components[i]];
+        for (unsigned int j = 0; j < n; ++j)
+          T(i, j) = -resolvent.penalty *
+                    response.dtraction[components[i]][components[j]];
+        system.add_force(rows_of_node[i],
+                         -gap.area * input.traction[components[i]]);
       }
-    Assembler::Indices columns;
-    FullMatrix<double> more;
-    if (system.with_tangent())
-      {
-        NodalUnknowns unknowns;
-        for (unsigned int l = 0; l < gap.nodes.size(); ++l)
-          unknowns.add(surfaces.node(gap.nodes[l]), l, dim);
-        columns = unknowns.indices;
-        more.reinit(dim, columns.size());
-        for (unsigned int k = 0; k < columns.size(); ++k)
-          {
-            const unsigned int l = unknowns.entries[k] / 3;
-            const unsigned int d = unknowns.entries[k] % 3;
-            const Tensor<2, 3> change =
-              scale * (response.dgap * gap.dgap[l] +
-                       response.dnormal * gap.dnormal[l]) +
-              resolvent.penalty *
-                outer_product(response.residual -
-                                response.dtraction * input.traction,
-                              gap.darea[l]);
-            for (unsigned int i = 0; i < dim; ++i)
-              more(i, k) = -change[i][d];
-          }
-      }
-    system.replace(rows_of_node, residual, T, columns, more);
+    NodalUnknowns columns;
+    for (unsigned int l = 0; l < gap.nodes.size(); ++l)
+      columns.add(surfaces.node(gap.nodes[l]), l, surfaces.dim());
+    system.replace(
+      rows_of_node,
+      residual,
+      T,
+      columns.indices,
+      direct_dependence(response, input, gap, columns, components));
     account(state, own, input, response, gap);
+  }
+
+  /// -dR/du at lambda = f/D, without the part through f, in the rows of
+  /// @p components.
+  FullMatrix<double> MortarTerm::direct_dependence(
+    const ConstraintResponse        &response,
+    const ConstraintInput           &input,
+    const PointGap                  &gap,
+    const NodalUnknowns             &columns,
+    const std::vector<unsigned int> &components) const
+  {
+    FullMatrix<double> result(components.size(), columns.indices.size());
+    for (unsigned int k = 0; k < columns.indices.size(); ++k)
+      {
+        const unsigned int l = columns.entries[k] / 3;
+        const unsigned int d = columns.entries[k] % 3;
+        const Tensor<2, 3> change =
+          gap.area *
+            (response.dgap * gap.dgap[l] + response.dnormal * gap.dnormal[l]) +
+          outer_product(response.residual - response.dtraction * input.traction,
+                        gap.darea[l]);
+        for (unsigned int i = 0; i < components.size(); ++i)
+          result(i, k) = -resolvent.penalty * change[components[i]][d];
+      }
+    return result;
   }
 
   void EliminatedMultiplier::restart(const Tensor<1, 3> &lambda)

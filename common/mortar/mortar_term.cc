@@ -105,6 +105,11 @@ namespace demold
         for (const unsigned int face : point(own).facets)
           surfaces.add_slave_nodes(face, around);
         compliance.emplace_back();
+        free.emplace_back();
+        shared.push_back(points_at_node[point(own).node] > 1);
+        for (unsigned int d = 0; d < surfaces.dim(); ++d)
+          if (!is_held(surfaces.node(point(own).node).unknowns[d]))
+            free[own].push_back(d);
         for (unsigned int d = 0; d < surfaces.dim(); ++d)
           {
             const auto held = [&](const unsigned int node) {
@@ -114,10 +119,10 @@ namespace demold
               std::all_of(around.begin(), around.end(), held);
             if (held(point(own).node) && !all_held)
               compliance[own][d] = support_compliance;
-            else if (all_held || points_at_node[point(own).node] > 1)
+            else if (all_held || shared[own])
               compliance[own][d] = vanishing_compliance;
           }
-        if (is_condensed() && !is_lone(own))
+        if (is_condensed() && !has_own_rows(own))
           for (unsigned int d = 0; d < surfaces.dim(); ++d)
             compliance[own][d] =
               std::max(compliance[own][d], vanishing_compliance);

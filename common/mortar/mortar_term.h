@@ -23,9 +23,10 @@ namespace demold
   ///
   /// Dual multipliers on a rigid mould are condensed: lambda is the force that
   /// the rest of the system leaves unbalanced at the node, over D_AA, and the
-  /// rows of the node become the constraint. Points that share their node with
-  /// another patch, or whose node has a support, cannot be treated so: they
-  /// take a small compliance, so that their own constraint gives lambda.
+  /// rows of the node become the constraint; components with a support get no
+  /// lambda (theory B.11). Points that share their node with another patch, or
+  /// whose node is held altogether, cannot be treated so: they take a small
+  /// compliance, so that their own constraint gives lambda.
   ///
   /// A point that holds a bond uses the operator frozen at bonding, on the
   /// reference configuration: lambda is a nominal traction. All others use the
@@ -134,25 +135,33 @@ namespace demold
                  const PointGap           &gap);
     // Condensed multipliers.
     bool is_condensed() const;
-    bool is_lone(const unsigned int own) const;
+    bool has_own_rows(const unsigned int own) const;
     void condense_point(const Configuration &,
                         CondensedRows &,
                         const unsigned int own);
+    dealii::FullMatrix<double>
+         direct_dependence(const ConstraintResponse        &response,
+                           const ConstraintInput           &input,
+                           const PointGap                  &gap,
+                           const NodalUnknowns             &columns,
+                           const std::vector<unsigned int> &components) const;
     void assemble_eliminated(const Configuration &,
                              Assembler &,
                              const unsigned int own);
 
     void count_change(const unsigned int own, const int number);
 
-    const InterfaceDescription        description;
-    const MPI_Comm                    communicator;
-    MortarSurfaces                    surfaces;
-    MortarOperator                    mortar;
-    TractionResolvent                 resolvent;
-    std::vector<dealii::Tensor<1, 3>> compliance; ///< [mm/MPa]
-    std::vector<dealii::Tensor<1, 3>> found;      ///< lambda [MPa] if condensed
-    std::vector<EliminatedMultiplier> eliminated;
-    dealii::types::global_dof_index   first_multiplier = 0;
+    const InterfaceDescription             description;
+    const MPI_Comm                         communicator;
+    MortarSurfaces                         surfaces;
+    MortarOperator                         mortar;
+    TractionResolvent                      resolvent;
+    std::vector<dealii::Tensor<1, 3>>      compliance; ///< [mm/MPa]
+    std::vector<std::vector<unsigned int>> free; ///< components without support
+    std::vector<bool>                      shared; ///< node, with another patch
+    std::vector<dealii::Tensor<1, 3>>      found; ///< lambda [MPa] if condensed
+    std::vector<EliminatedMultiplier>      eliminated;
+    dealii::types::global_dof_index        first_multiplier = 0;
 
     // One entry per own point.
     std::vector<FrozenRow>         frozen;

@@ -14,10 +14,12 @@ namespace demold
 
   CondensedRows::CondensedRows(const AffineConstraints<double> &constraints,
                                Vector                          &residual,
+                               Vector                          &forces,
                                Vector                          &lift,
                                SparseMatrix                    *matrix)
     : constraints(constraints)
     , residual(residual)
+    , forces(forces)
     , lift(lift)
     , matrix(matrix)
   {}

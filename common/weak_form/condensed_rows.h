@@ -28,9 +28,11 @@ namespace demold
     using Indices = std::vector<dealii::types::global_dof_index>;
 
     /// @p matrix may be null: residual only. @p lift holds what the prescribed
-    /// increments have moved to the right hand side.
+    /// increments have moved to the right hand side, @p forces those of the
+    /// interfaces.
     CondensedRows(const dealii::AffineConstraints<double> &constraints,
                   Vector                                  &residual,
+                  Vector                                  &forces,
                   Vector                                  &lift,
                   SparseMatrix                            *matrix);
 
@@ -43,6 +45,12 @@ namespace demold
     double residual_of(const dealii::types::global_dof_index i) const
     {
       return residual(i);
+    }
+
+    /// Tells of a force [N] that has balanced row @p i without entering it.
+    void add_force(const dealii::types::global_dof_index i, const double force)
+    {
+      forces(i) += force;
     }
 
     /// Replaces the residual of the unknowns @p rows of this rank by
@@ -67,6 +75,7 @@ namespace demold
 
     const dealii::AffineConstraints<double> &constraints;
     Vector                                  &residual;
+    Vector                                  &forces;
     Vector                                  &lift;
     SparseMatrix                            *matrix;
   };

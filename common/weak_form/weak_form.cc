@@ -208,11 +208,12 @@ namespace demold
     residual.add(bulk_weight, bulk, 1. - bulk_weight, accepted_bulk);
     CondensedRows rows(constraints,
                        residual,
+                       interface,
                        right_hand_side,
                        with_tangent ? &matrix : nullptr);
     for (const auto &term : terms)
       term->condense(now, rows);
-    for (Vector *v : {&residual, &right_hand_side})
+    for (Vector *v : {&residual, &right_hand_side, &interface})
       v->compress(VectorOperation::insert);
     force = bulk;
     force += interface;
