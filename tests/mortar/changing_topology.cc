@@ -140,3 +140,39 @@ TEST(changing_topology, does_not_let_integrals_jump)
     }
   EXPECT_GT(n_changes, 100u);
 }
+
+// Nodes on a lattice of nine points: every kind of coincidence, faces without
+// area, re-entrant ones, ones that cross themselves.
+TEST(changing_topology, leaves_everything_finite_on_a_coarse_lattice)
+{
+  Random       random;
+  unsigned int n_overlaps = 0, n_infinite = 0, n_row_sums = 0;
+  for (unsigned int trial = 0; trial < 10000; ++trial)
+    {
+      Pair pair;
+      pair.slave.n_nodes = pair.master.n_nodes = 4;
+      for (unsigned int i = 0; i < 8; ++i)
+        {
+          Point<3> &x = i < 4 ? pair.slave.x[i] : pair.master.x[i - 4];
+          for (unsigned int c = 0; c < 2; ++c)
+            x[c] = std::floor(random(0., 3.));
+          x[2] = trial % 2 ? 0. : .25 * std::floor(random(0., 3.));
+        }
+      const auto exact = gradients(pair, PairOptions());
+      n_overlaps += exact.value.overlaps;
+      bool finite = std::isfinite(largest(exact));
+      for (const double x : listed(exact.value))
+        finite = finite && std::isfinite(x);
+      for (unsigned int k = 0; k < 24; ++k)
+        for (const double x : listed(exact, k))
+          finite = finite && std::isfinite(x);
+      n_infinite += !finite;
+      const auto value = integrate_pair(pair.slave, pair.master, PairOptions());
+      for (unsigned int A = 0; A < 4; ++A)
+        n_row_sums +=
+          std::abs(row_sum(value.D, A) - row_sum(value.M, A)) > 1e-13;
+    }
+  EXPECT_GT(n_overlaps, 3000u);
+  EXPECT_EQ(n_infinite, 0u);
+  EXPECT_EQ(n_row_sums, 0u);
+}
