@@ -52,7 +52,7 @@ namespace demold
       }
 
       /// Signed distance of a point to the line of a master edge, times the
-      /// edge's @p length, > 0 inside.
+      /// length() of the edge, > 0 inside.
       double distance(const unsigned int         edge,
                       const PlaneVector<double> &y) const
       {

@@ -23,8 +23,10 @@ namespace
         {
           FacetPositions face;
           face.n_nodes = 4;
-          face.x       = {
-                  {node(i, j), node(i, j + 1), node(i + 1, j + 1), node(i + 1, j)}};
+          face.x[0]    = node(i, j);
+          face.x[1]    = node(i, j + 1);
+          face.x[2]    = node(i + 1, j + 1);
+          face.x[3]    = node(i + 1, j);
           faces.push_back(face);
         }
     return faces;

@@ -7,8 +7,8 @@
 
 namespace mortar_tests
 {
-  /// Derivative of a vector-valued function at 0 (Richardson 1911): error of
-  /// order h^4 and eps/h.
+  /// Derivative of a vector-valued function at 0 (Richardson): errors of order
+  /// h^4 and eps/h.
   template <typename Function>
   std::vector<double> derivative(const Function &f, const double h)
   {

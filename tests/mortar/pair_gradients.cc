@@ -1,135 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Derivatives of D, M and the area match differences and automatic
-// differentiation in every topology; at a change of topology they are finite
-// and those of one side.
+// differentiation in every topology.
 #include "mortar/pair_gradients.h"
 
 #include "differences.h"
-#include "faces.h"
 #include "mortar/pair_integrals.templates.h"
+#include "pairs.h"
 
 #include <Sacado.hpp>
-
-#include <string>
 
 using namespace mortar_tests;
 
 namespace
 {
-  struct Pair
-  {
-    std::string    name;
-    FacetPositions slave, master;
-
-    unsigned int n_dofs() const
-    {
-      return 6 * slave.n_nodes;
-    }
-
-    Pair with(const std::vector<double> &shift) const
-    {
-      Pair result = *this;
-      for (unsigned int k = 0; k < n_dofs(); ++k)
-        {
-          FacetPositions &face =
-            k < n_dofs() / 2 ? result.slave : result.master;
-          face.x[(k / 3) % slave.n_nodes][k % 3] += shift[k];
-        }
-      return result;
-    }
-
-    Pair with(const unsigned int k, const double shift) const
-    {
-      std::vector<double> all(n_dofs(), 0.);
-      all[k] = shift;
-      return with(all);
-    }
-  };
-
-  /// D, M and the area one after the other.
-  std::vector<double> listed(const PairIntegrals<double> &pair)
-  {
-    std::vector<double> result;
-    for (unsigned int A = 0; A < 4; ++A)
-      for (unsigned int B = 0; B < 4; ++B)
-        {
-          result.push_back(pair.D[A][B]);
-          result.push_back(pair.M[A][B]);
-        }
-    result.push_back(pair.area);
-    return result;
-  }
-
-  std::vector<double> values(const Pair &pair, const PairOptions &options)
-  {
-    return listed(integrate_pair(pair.slave, pair.master, options));
-  }
-
-  /// The derivatives by entry k, in the order of listed().
-  std::vector<double> listed(const PairGradients &pair, const unsigned int k)
-  {
-    std::vector<double> result;
-    for (unsigned int A = 0; A < 4; ++A)
-      for (unsigned int B = 0; B < 4; ++B)
-        {
-          result.push_back(pair.dD[A][B][k]);
-          result.push_back(pair.dM[A][B][k]);
-        }
-    result.push_back(pair.darea[k]);
-    return result;
-  }
-
-  PairGradients
-  gradients(const Pair        &pair,
-            const PairOptions &options,
-            const DerivedBy    derived_by = DerivedBy::slave_and_master)
-  {
-    return pair_gradients(pair.slave, pair.master, options, derived_by);
-  }
-
-  double largest(const std::vector<double> &list)
-  {
-    double result = 0.;
-    for (const double x : list)
-      result = std::max(result, std::abs(x));
-    return result;
-  }
-
-  double largest(const PairGradients &pair)
-  {
-    double result = 0.;
-    for (unsigned int k = 0; k < 24; ++k)
-      result = std::max(result, largest(listed(pair, k)));
-    return result;
-  }
-
-  double distance(const std::vector<double> &a, const std::vector<double> &b)
-  {
-    double result = 0.;
-    for (unsigned int i = 0; i < a.size(); ++i)
-      result = std::max(result, std::abs(a[i] - b[i]));
-    return result;
-  }
-
-  /// What the segments are made of; empty for lines.
-  std::vector<unsigned int> topology(const Pair &pair)
-  {
-    std::vector<unsigned int> result;
-    const auto plane  = auxiliary_plane(face_nodes(pair.slave), 4);
-    const auto slave  = projected(plane, face_nodes(pair.slave), 4);
-    const auto master = projected(plane, face_nodes(pair.master), 4);
-    const auto found  = find_segments(slave, master);
-    for (unsigned int i = 0; i < found.n_segments; ++i)
-      for (unsigned int v = 0; v < found.segments[i].n_vertices; ++v)
-        {
-          const SegmentVertex &vertex = found.segments[i].vertices[v];
-          result.push_back(static_cast<unsigned int>(vertex.origin));
-          result.push_back(vertex.slave[0]);
-          result.push_back(vertex.master[0]);
-        }
-    return result;
-  }
-
   /// Differences reach 1e-8 of the largest derivative where the topology stays
   /// the same over their step. Returns how many entries have been compared.
   unsigned int expect_differences(const Pair &pair, const PairOptions &options)
@@ -191,57 +74,11 @@ namespace
               other.push_back(automatic.M[A][B].dx(k));
             }
         other.push_back(automatic.area.dx(k));
-        EXPECT_LE(distance(listed(exact, k), other), 1e-12 * scale)
+        EXPECT_LE(distance(listed(exact, k), other), 1e-11 * scale)
           << pair.name << ", entry " << k;
       }
   }
 
-  /// One pair per topology. All masters look down on the unit square.
-  std::vector<Pair> topologies()
-  {
-    const auto pair = [](const std::string &name, const Corners &x) {
-      return Pair{name, unit_square(), reversed(quad(x))};
-    };
-    std::vector<Pair> pairs{
-      Pair{"eight crossings", unit_square(), master_T1()},
-      Pair{"corner on corner", unit_square(), master_T2()},
-      pair("slave inside",
-           {{{{-.2, -.3, .1}},
-             {{1.4, -.2, .1}},
-             {{1.3, 1.2, 0.}},
-             {{-.1, 1.5, .1}}}}),
-      pair("master inside",
-           {{{{.2, .2, .1}}, {{.8, .3, 0.}}, {{.7, .8, .1}}, {{.3, .7, 0.}}}}),
-      pair(
-        "strip",
-        {{{{.3, -1., 0.}}, {{.6, -1., .1}}, {{.7, 2., 0.}}, {{.2, 2., .1}}}}),
-      pair(
-        "corner cut off",
-        {{{{.8, -1., .1}}, {{2., .5, .1}}, {{2., 2., .1}}, {{-1., 2., 0.}}}}),
-      pair("tip",
-           {{{{.8, .5, .1}}, {{2., .2, .1}}, {{3., .5, .1}}, {{2., .8, 0.}}}}),
-      pair("sliver",
-           {{{{.99, -1., .1}},
-             {{2., -1., .1}},
-             {{2., 2., .1}},
-             {{.995, 2., 0.}}}}),
-      pair(
-        "re-entrant master",
-        {{{{.1, .2, .1}}, {{.5, .4, .1}}, {{1.2, .1, .1}}, {{.5, .9, 0.}}}})};
-    Pair dart{"re-entrant slave", unit_square(), master_T1()};
-    dart.slave.x[2] = Point<3>(.35, .45, 0.);
-    pairs.push_back(dart);
-    // Quad pair 2 of Kratos' tables of test pairs, master node 1 perturbed by
-    // -5e-3 in x; unperturbed it is "aligned" below.
-    Pair kratos = pair("quad pair 2",
-                       {{{{0., 0., 1e-3}},
-                         {{1., 0., 1e-3}},
-                         {{1., 1., 1e-3}},
-                         {{-.1, 1., 1e-3}}}});
-    kratos.master.x[1][0] -= 5e-3;
-    pairs.push_back(kratos);
-    return pairs;
-  }
 } // namespace
 
 TEST(pair_gradients, match_differences_in_every_topology)
@@ -295,6 +132,30 @@ TEST(pair_gradients, match_automatic_differentiation)
           other.master = turned(random.shaken(pair.master, .1), R, 1., shift);
           expect_automatic_differentiation(other, PairOptions());
         }
+    }
+}
+
+// Too thin for differences, and for a centroid. With three points per triangle
+// it matters where the fan's centre goes.
+TEST(pair_gradients, of_slivers_match_automatic_differentiation)
+{
+  PairOptions options;
+  options.triangle_points = 3;
+  for (const double width : {1e-5, 1e-7, 1e-9})
+    {
+      Pair pair{"sliver", unit_square(), master_T3()};
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          pair.master.x[i][0] += 1. - width;
+          pair.master.x[i][1] = 3. * pair.master.x[i][1] - 1.1;
+          pair.slave.x[i][2]  = i % 2 ? .1 : -.1;
+        }
+      pair.slave.x[2][1] = 1.4;
+      pair.slave.x[3][1] = .7;
+      EXPECT_NEAR(integrate_pair(pair.slave, pair.master, options).area,
+                  1.4 * width,
+                  width * width + 1e-15);
+      expect_automatic_differentiation(pair, options);
     }
 }
 
@@ -373,103 +234,5 @@ TEST(pair_gradients, vanish_along_rigid_motions)
             change[i] += v[k % 3] * row[i];
         }
       EXPECT_LT(largest(change), 1e-14 * (1. + 100. * largest(exact)));
-    }
-}
-
-// The prediction is wrong by the square of the step, in any direction, also
-// where a triangulation by diagonals would flip: nothing jumps. The topology of
-// the symmetric octagon does not change.
-TEST(pair_gradients, predict_symmetric_overlaps_to_second_order)
-{
-  Random random;
-  for (const double warp : {0., .05})
-    {
-      Pair pair{"", unit_square(), master_T1()};
-      for (unsigned int i = 0; i < 4; ++i)
-        {
-          pair.slave.x[i][2] += i % 2 ? warp : -warp;
-          pair.master.x[i][2] += i % 2 ? warp : -warp;
-        }
-      const auto start = values(pair, PairOptions());
-      const auto exact = gradients(pair, PairOptions());
-      for (unsigned int trial = 0; trial < 20; ++trial)
-        {
-          std::vector<double> direction(24);
-          for (double &x : direction)
-            x = random(-1., 1.);
-          double error[2];
-          for (unsigned int s = 0; s < 2; ++s)
-            {
-              const double        step = s == 0 ? 1e-3 : 5e-4;
-              std::vector<double> shift(direction), predicted(start);
-              for (unsigned int k = 0; k < 24; ++k)
-                {
-                  shift[k] *= step;
-                  const auto row = listed(exact, k);
-                  for (unsigned int i = 0; i < row.size(); ++i)
-                    predicted[i] += shift[k] * row[i];
-                }
-              error[s] =
-                distance(predicted, values(pair.with(shift), PairOptions()));
-            }
-          EXPECT_LT(error[0], 20. * 1e-6);
-          EXPECT_NEAR(error[0] / error[1], 4., .2);
-        }
-    }
-}
-
-// Aligned edges: the slave counts as covered, so the derivatives are those of
-// a master that is a little larger, and of motions that keep the slave covered.
-TEST(pair_gradients, of_aligned_faces_are_those_of_a_larger_master)
-{
-  std::vector<Pair> aligned{Pair{"T3", unit_square(), master_T3()},
-                            Pair{"quad pair 2",
-                                 unit_square(),
-                                 reversed(quad({{{{0., 0., 1e-3}},
-                                                 {{1., 0., 1e-3}},
-                                                 {{1., 1., 1e-3}},
-                                                 {{-.1, 1., 1e-3}}}}))}};
-  for (const Pair &pair : aligned)
-    {
-      const auto exact = gradients(pair, PairOptions());
-      // Outwards, along x and y, for every master node.
-      for (unsigned int i = 0; i < 4; ++i)
-        for (unsigned int c = 0; c < 2; ++c)
-          {
-            const double       out = pair.master.x[i][c] > .5 ? 1. : -1.;
-            const unsigned int k   = 12 + 3 * i + c;
-            // One-sided differences of second order.
-            constexpr double h  = 1e-5;
-            const auto       f0 = values(pair, PairOptions());
-            const auto       f1 = values(pair.with(k, out * h), PairOptions());
-            const auto f2 = values(pair.with(k, out * 2. * h), PairOptions());
-            std::vector<double> numeric(f0.size());
-            for (unsigned int j = 0; j < f0.size(); ++j)
-              numeric[j] = out * (4. * f1[j] - 3. * f0[j] - f2[j]) / (2. * h);
-            EXPECT_LT(distance(listed(exact, k), numeric), 1e-8)
-              << pair.name << ' ' << k;
-          }
-    }
-}
-
-// A grid over a grid of the same lines, up to rounding: along aligned edges
-// nothing is divided by the angle between them. The area of a unit square under
-// a master that reaches half over it changes by one per shift of the master.
-TEST(pair_gradients, of_nearly_aligned_faces_are_regular)
-{
-  Random random;
-  for (unsigned int k = 0; k < 600; ++k)
-    {
-      const double noise = std::pow(10., -17. + (k % 15));
-      const Pair   pair{"",
-                      random.shaken(unit_square(), noise),
-                      random.shaken(moved(master_T3(), vector(.5, 0., 0.)),
-                                    noise)};
-      const auto   exact = gradients(pair, PairOptions());
-      EXPECT_LT(largest(exact), 1.) << noise;
-      double by_shift = 0.;
-      for (unsigned int i = 0; i < 4; ++i)
-        by_shift += exact.darea[12 + 3 * i];
-      EXPECT_NEAR(by_shift, -1., 1e-4 + 10. * noise) << noise;
     }
 }
