@@ -84,7 +84,7 @@ namespace demold
     r.bond               = free;
     if (forced == ForcedBranch::hold)
       r.bond = elastic;
-    else if (forced == ForcedBranch::decohesion)
+    else if (forced == ForcedBranch::decohesion && softening.feels(size))
       r.bond = AdhesionStatus::decohesion;
     r.consistent = r.bond == free;
 

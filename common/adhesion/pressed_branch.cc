@@ -28,7 +28,7 @@ namespace demold
       const double strength = softening.at(0.).limit;
       const double size     = p.traction.norm();
       const double reach    = p.factors.b / p.factors.a * (size - p.limit);
-      if (reach <= strength && !(forced && size > 0.))
+      if (reach <= strength && !(forced && softening.feels(size)))
         return {stuck(p),
                 AdhesionStatus::adhering,
                 std::max(reach / strength, 0.)};
@@ -51,12 +51,12 @@ namespace demold
       const TangentialGap elastic   = slide(p, stiffness);
       if (!elastic.slides || b * elastic.gap.norm() <= kappa)
         {
-          const bool along_start = p.start.norm() > 0.;
-          if (forced && (along_start || p.traction.norm() > 0.))
-            return {radial_slide(p,
-                                 softening,
-                                 along_start ? SlideAxis::start :
-                                               SlideAxis::traction),
+          const SlideAxis axis = p.limit > 0. && p.start.norm() > 0. ?
+                                   SlideAxis::start :
+                                   SlideAxis::traction;
+          if (forced &&
+              (axis == SlideAxis::start || softening.feels(p.traction.norm())))
+            return {radial_slide(p, softening, axis),
                     AdhesionStatus::decohesion,
                     1.};
           return {elastic,

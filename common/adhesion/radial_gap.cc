@@ -23,6 +23,13 @@ namespace demold
 
 
 
+  bool PointSoftening::feels(const double traction) const
+  {
+    return traction > 1e-14 * at(0.).limit;
+  }
+
+
+
   double PointSoftening::fracture_energy() const
   {
     return strength_factor *

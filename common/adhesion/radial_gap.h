@@ -18,6 +18,9 @@ namespace demold
     /// 0 along its tangent there (forced decohesion, theory D.2).
     SofteningPoint at(const double kappa) const;
 
+    /// Has a traction [MPa] of this size a direction to soften along?
+    bool feels(const double traction) const;
+
     /// Work of separation [mJ/mm^2].
     double fracture_energy() const;
   };

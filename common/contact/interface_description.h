@@ -29,7 +29,8 @@ namespace demold
     // Of the mortar form.
     double       augmentation     = 0.; ///< c_N [MPa/mm]; 0: chosen, theory C8
     double       stiffness        = 1.; ///< E [MPa] of the rubber, to choose it
-    bool         dual_multipliers = false;
+        bool         dual_multipliers = false;
+    bool         condensed        = false; ///< dual ones on a rigid mould
     unsigned int quadrature_order = 5; ///< degree integrated exactly
 
     std::optional<AdhesionLaw> adhesion;

@@ -22,47 +22,6 @@ namespace demold
   {
     using Numbers = std::vector<double>;
 
-    double half_square(const Numbers &r)
-    {
-      double sum = 0.;
-      for (const double v : r)
-        sum += v * v;
-      return .5 * sum;
-    }
-
-
-
-    Numbers transposed_product(const FullMatrix<double> &J, const Numbers &r)
-    {
-      Numbers g(J.n(), 0.);
-      for (unsigned int i = 0; i < J.m(); ++i)
-        for (unsigned int j = 0; j < J.n(); ++j)
-          g[j] += J(i, j) * r[i];
-      return g;
-    }
-
-
-
-    Numbers column_lengths(const FullMatrix<double> &J)
-    {
-      Numbers length(J.n(), 0.);
-      for (unsigned int i = 0; i < J.m(); ++i)
-        for (unsigned int j = 0; j < J.n(); ++j)
-          length[j] = std::hypot(length[j], J(i, j));
-      return length;
-    }
-
-
-
-    Numbers clipped(const FitProblem &problem, Numbers q)
-    {
-      for (unsigned int j = 0; j < q.size(); ++j)
-        q[j] = std::min(std::max(q[j], problem.lower[j]), problem.upper[j]);
-      return q;
-    }
-
-
-
     /// Parameters that are not held by a bound, @p g being the gradient.
     std::vector<unsigned int> free_parameters(const FitProblem &problem,
                                               const Numbers    &q,
@@ -203,7 +162,7 @@ namespace demold
       Teuchos::oblackholestream            nowhere;
       algorithm.run(*z, objective, bounds, nowhere);
       n_iterations = algorithm.getState()->iter;
-      return clipped(problem, objective.parameters(*z));
+      return problem.clipped(objective.parameters(*z));
     }
 
 
@@ -237,7 +196,7 @@ namespace demold
           Numbers trial = q;
           for (unsigned int k = 0; k < free.size(); ++k)
             trial[free[k]] -= fraction * step[k];
-          trial = clipped(problem, trial);
+          trial = problem.clipped(trial);
           if (half_square(problem.residuals(trial)) < half_square(r))
             {
               q = trial;
@@ -269,31 +228,11 @@ namespace demold
 
 
 
-  FullMatrix<double> jacobian_by_differences(const FitProblem &problem,
-                                             const Numbers    &q,
-                                             const double      step)
-  {
-    FullMatrix<double> J(problem.n_residuals, q.size());
-    for (unsigned int j = 0; j < q.size(); ++j)
-      {
-        const double h  = step * std::max(std::abs(q[j]), 1e-3);
-        Numbers      up = q, down = q;
-        up[j]            = std::min(q[j] + h, problem.upper[j]);
-        down[j]          = std::max(q[j] - h, problem.lower[j]);
-        const Numbers r1 = problem.residuals(up), r0 = problem.residuals(down);
-        for (unsigned int i = 0; i < J.m(); ++i)
-          J(i, j) = (r1[i] - r0[i]) / (up[j] - down[j]);
-      }
-    return J;
-  }
-
-
-
   FitResult minimise(const FitProblem &problem)
   {
     FitResult result;
     result.parameters =
-      optimised(problem, clipped(problem, problem.start), result.n_iterations);
+      optimised(problem, problem.clipped(problem.start), result.n_iterations);
     for (unsigned int i = 0; i < 50 && polish(problem, result.parameters); ++i)
       {}
     result.slope = remaining_slope(problem, result.parameters);

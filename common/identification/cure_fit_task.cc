@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The task `cure fit`: entries, rheometer curves, tables and pictures.
+// The task `cure fit`: entries, rheometer curves, predictions.
 #include "identification/cure_fit_task.h"
 
 #include "base/parameter_error.h"
-#include "cure/cure_model.h"
+#include "identification/cure_fit_output.h"
 #include "identification/fit_output.h"
-#include "identification/parameter_include.h"
-#include "output/result_table.h"
 #include "output/summary.h"
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 
 namespace demold
@@ -25,67 +22,6 @@ namespace demold
     const std::vector<DataColumn> columns{{"time [s]", DataColumn::increasing},
                                           {"storage torque [dNm]",
                                            DataColumn::positive}};
-
-    std::string curve_name(const double temperature)
-    {
-      return prm_number(temperature) + " degC";
-    }
-
-
-
-    void write_fit(const std::string                 &file,
-                   const CureFit                     &fit,
-                   const CureFitResult               &result,
-                   const std::vector<RheometerCurve> &curves)
-    {
-      ResultTable table(file,
-                        {"curve",
-                         "time [s]",
-                         "storage torque [dNm]",
-                         "data [-]",
-                         "model [-]",
-                         "residual [-]",
-                         "used [-]"});
-      for (const auto &curve : curves)
-        {
-          const auto data  = curve.degrees_of_cure();
-          const auto model = isothermal_degree_of_cure(result.kinetics,
-                                                       curve.temperature,
-                                                       curve.times,
-                                                       OdeTolerances());
-          for (unsigned int i = 0; i < data.size(); ++i)
-            table.add_row({curve_name(curve.temperature),
-                           curve.times[i],
-                           curve.torques[i],
-                           data[i],
-                           model[i],
-                           model[i] - data[i],
-                           fit.uses(curve, i) ? 1. : 0.});
-        }
-    }
-
-
-
-    void write_times(const std::string                 &file,
-                     const std::vector<RheometerCurve> &curves)
-    {
-      ResultTable table(file,
-                        {"temperature [degC]",
-                         "smallest torque [dNm]",
-                         "largest torque [dNm]",
-                         "t10 [s]",
-                         "t50 [s]",
-                         "t90 [s]",
-                         "reversion [-]"});
-      for (const auto &curve : curves)
-        table.add_row({curve.temperature,
-                       curve.minimum,
-                       curve.maximum,
-                       curve.time_of(.1),
-                       curve.time_of(.5),
-                       curve.time_of(.9),
-                       curve.reversion()});
-    }
   } // namespace
 
 
@@ -182,8 +118,7 @@ namespace demold
     text << "Fits t90 over temperature and the kinetics " << law << " to:";
     for (unsigned int c = 0; c < data.curves.size(); ++c)
       text << "\n  " << curve_name(data.curves[c].temperature) << ", "
-           << data.files[c].n_rows() << " points of "
-           << std::filesystem::path(data.files[c].file).filename().string();
+           << extent(data.files[c], "points");
     return text.str();
   }
 
@@ -252,55 +187,6 @@ namespace demold
 
 
 
-  ParameterInclude CureFitTask::include(const CureFitResult &result,
-                                        const Data          &data) const
-  {
-    const auto line =
-      fit_cure_times(data.curves, .9, reference_temperature).law;
-    ParameterInclude cure;
-    cure.section  = "Cure";
-    cure.comments = source_comments(data.files);
-    cure.comments.push_back(result.report.identifiability());
-    cure.set("reference temperature", reference_temperature);
-    cure.set("t90", line.reference_value);
-    cure.set("activation energy", line.activation_energy);
-    cure.set("kinetics", law);
-
-    ParameterInclude piece;
-    const auto       set_rate = [&](const std::string   &name,
-                              const ArrheniusRate &rate) {
-      piece.set(name, rate.reference_value);
-      piece.set(name + " energy", rate.activation_energy);
-    };
-    if (const auto *kamal = std::get_if<KamalSourour>(&result.kinetics.law))
-      {
-        piece.section = "Kamal-Sourour";
-        set_rate("k1", kamal->k1);
-        set_rate("k2", kamal->k2);
-        piece.set("m", kamal->m);
-        piece.set("n", kamal->n);
-      }
-    if (const auto *isayev = std::get_if<IsayevDeng>(&result.kinetics.law))
-      {
-        piece.section = "Isayev-Deng";
-        set_rate("k", isayev->k);
-        piece.set("n", isayev->n);
-      }
-    if (const auto *han = std::get_if<Han>(&result.kinetics.law))
-      {
-        piece.section = "Han";
-        set_rate("k1", han->k1);
-        set_rate("k2", han->k2);
-        set_rate("k3", han->k3);
-      }
-    piece.set("induction time", result.kinetics.induction.reference_value);
-    piece.set("induction energy", result.kinetics.induction.activation_energy);
-    cure.inner.push_back(piece);
-    return cure;
-  }
-
-
-
   RunStatus CureFitTask::run(const RunContext &context) const
   {
     const Data         data = read();
@@ -308,14 +194,17 @@ namespace demold
     const auto         result = fit.fit();
     const std::string &folder = context.output_folder;
 
-    write_fit(folder + "/fit.csv", fit, result, data.curves);
-    write_times(folder + "/times.csv", data.curves);
+    write_fit(folder, fit, result, data.curves);
+    write_times(folder, data.curves);
     result.report.write_correlations(folder + "/correlations.csv");
-    include(result, data).write(folder + "/cure.prm");
+    ParameterInclude include =
+      cure_include(result.kinetics,
+                   fit_cure_times(data.curves, .9, reference_temperature).law);
+    include.comments = source_comments(data.files);
+    include.comments.push_back(result.report.identifiability());
+    include.write(folder + "/cure.prm");
 
-    Summary summary;
-    summary.set("status", "completed");
-    summary.set("reason", "the data are fitted");
+    Summary summary = summary_of_fit();
     summary.set("law", law);
     add_times(data.curves, summary);
     add_predictions(fit, result, data.curves, summary);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The task `cure fit`: entries, rheometer curves, tables and pictures.
+// The task `cure fit`: entries, rheometer curves, predictions.
 #ifndef demold_identification_cure_fit_task_h
 #define demold_identification_cure_fit_task_h
 
@@ -19,7 +19,6 @@ namespace dealii
 namespace demold
 {
   class Summary;
-  struct ParameterInclude;
 
   /// Section `Cure fit`: t90 over temperature and the kinetics. Writes fit.csv
   /// (degree of cure), times.csv (t10, t50, t90 of each curve),
@@ -48,14 +47,12 @@ namespace demold
 
     Data read() const;
 
-    void             add_times(const std::vector<RheometerCurve> &curves,
-                               Summary                           &summary) const;
-    void             add_predictions(const CureFit                     &fit,
-                                     const CureFitResult               &result,
-                                     const std::vector<RheometerCurve> &curves,
-                                     Summary                           &summary) const;
-    ParameterInclude include(const CureFitResult &result,
-                             const Data          &data) const;
+    void add_times(const std::vector<RheometerCurve> &curves,
+                   Summary                           &summary) const;
+    void add_predictions(const CureFit                     &fit,
+                         const CureFitResult               &result,
+                         const std::vector<RheometerCurve> &curves,
+                         Summary                           &summary) const;
 
     std::array<Entry, 6> entries;
     std::string          law                   = KamalSourour::name;

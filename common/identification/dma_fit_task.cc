@@ -11,7 +11,6 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 
-#include <filesystem>
 #include <sstream>
 
 namespace demold
@@ -122,8 +121,7 @@ namespace demold
     text << "Fits a Prony series to E' and E'': " << choice.in_words() << ".";
     for (unsigned int c = 0; c < data.files.size(); ++c)
       text << "\n  " << level_name(data.f90[c]) << ", "
-           << data.files[c].n_rows() << " frequencies of "
-           << std::filesystem::path(data.files[c].file).filename().string();
+           << extent(data.files[c], "frequencies");
     return text.str();
   }
 
@@ -239,9 +237,7 @@ namespace demold
     best.report.write_correlations(folder + "/correlations.csv");
     write_materials(folder, data, best);
 
-    Summary summary;
-    summary.set("status", "completed");
-    summary.set("reason", "the data are fitted");
+    Summary summary = summary_of_fit();
     add_to_summary(choice, outcome, names, summary);
     finish_fit(context, summary, plots, "material.prm");
     return RunStatus::completed;

@@ -35,6 +35,24 @@ namespace demold
 
 
 
+  std::string extent(const DataFile &data, const std::string &rows)
+  {
+    return std::to_string(data.n_rows()) + " " + rows + " of " +
+           std::filesystem::path(data.file).filename().string();
+  }
+
+
+
+  Summary summary_of_fit()
+  {
+    Summary summary;
+    summary.set("status", "completed");
+    summary.set("reason", "the data are fitted");
+    return summary;
+  }
+
+
+
   std::vector<std::string> source_comments(const std::vector<DataFile> &files)
   {
     std::vector<std::string> lines;
@@ -103,6 +121,7 @@ namespace demold
     summary.print(std::cout);
     if (!complaint.empty())
       std::cout << complaint << std::endl;
-    std::cout << "Include file: " << (folder / include).string() << std::endl;
+    if (!include.empty())
+      std::cout << "Include file: " << (folder / include).string() << std::endl;
   }
 } // namespace demold

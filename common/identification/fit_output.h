@@ -14,6 +14,12 @@ namespace demold
 {
   class Summary;
 
+  /// "25 frequencies of dma.csv", the rows being @p rows.
+  std::string extent(const DataFile &data, const std::string &rows);
+
+  /// A summary that begins with status and reason.
+  Summary summary_of_fit();
+
   /// Where the data come from, as comments of an include file: the name of each
   /// file and its source lines.
   std::vector<std::string> source_comments(const std::vector<DataFile> &files);
@@ -40,7 +46,7 @@ namespace demold
   std::string plot_script(const FitPlot &plot);
 
   /// Ends a fit: writes summary.json and the pictures, tells the console, also
-  /// of the file @p include that a scene can include.
+  /// of the file @p include that a scene can include, if there is one.
   void finish_fit(const RunContext           &context,
                   const Summary              &summary,
                   const std::vector<FitPlot> &plots,

@@ -2,6 +2,7 @@
 // What a fit knows about its parameters, and what it does not.
 #include "identification/fit_report.h"
 
+#include "identification/fit_problem.h"
 #include "identification/least_squares.h"
 #include "output/result_table.h"
 #include "output/summary.h"
@@ -65,6 +66,9 @@ namespace demold
           words.push_back(p.name + " is held by its bound " + shown(p.value) +
                           (p.unit == "-" ? "" : " " + p.unit) +
                           ": the data alone would go beyond it.");
+        else if (std::isinf(p.standard_error) && !std::isinf(report.condition))
+          words.push_back("The model does not feel " + p.name +
+                          " where the others stand.");
         else if (p.standard_error > .5 * std::abs(p.value) &&
                  std::isfinite(p.standard_error))
           words.push_back(
@@ -209,14 +213,21 @@ namespace demold
       square += r * r;
     report.rms = std::sqrt(square / report.n_data);
 
+    // A parameter that moves nothing must not spoil the judgement on others.
+    const auto                influence = column_lengths(jacobian);
     std::vector<unsigned int> free;
     report.correlation.reinit(n, n);
     report.correlation = not_a_number;
     for (unsigned int j = 0; j < n; ++j)
       {
         report.parameters[j].standard_error = not_a_number;
-        if (!report.parameters[j].at_bound())
+        if (report.parameters[j].at_bound())
+          continue;
+        if (influence[j] > 0.)
           free.push_back(j);
+        else
+          report.parameters[j].standard_error =
+            std::numeric_limits<double>::infinity();
       }
     if (!free.empty() && free.size() <= report.n_data)
       add_covariance(jacobian,

@@ -21,7 +21,8 @@ namespace demold
     double      lower = 0.; ///< bound
     double      upper = 0.; ///< bound
 
-    /// One sigma; NaN at a bound and where there is no scatter to judge by.
+    /// One sigma; NaN at a bound and where there is no scatter to judge by,
+    /// infinite if no residual depends on the parameter.
     double standard_error = 0.;
 
     /// To nine digits, as an optimiser may stop just before it.

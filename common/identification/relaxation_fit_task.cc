@@ -11,7 +11,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <filesystem>
 #include <sstream>
 
 namespace demold
@@ -110,8 +109,7 @@ namespace demold
   {
     const Data data = read();
     return "Fits a Prony series to the relaxation modulus: " +
-           choice.in_words() + ".\n  " + std::to_string(data.file.n_rows()) +
-           " times of " + std::filesystem::path(file).filename().string();
+           choice.in_words() + ".\n  " + extent(data.file, "times");
   }
 
 
@@ -133,9 +131,7 @@ namespace demold
     include.comments.push_back(outcome.best.report.identifiability());
     include.write(folder + "/material.prm");
 
-    Summary summary;
-    summary.set("status", "completed");
-    summary.set("reason", "the data are fitted");
+    Summary summary = summary_of_fit();
     add_to_summary(choice, outcome, {""}, summary);
     summary.set("R2 [-]", [&] {
       std::vector<double> model;

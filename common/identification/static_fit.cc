@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The moduli of Mooney and Rivlin from slow tests in several modes at once.
+// The parameters of an elastic law from slow tests in several modes at once.
 #include "identification/static_fit.h"
 
+#include "identification/bounded_fit.h"
 #include "identification/least_squares.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <sstream>
 
@@ -14,69 +14,144 @@ namespace demold
 {
   using namespace dealii;
 
-  std::string in_words(const TestMode mode)
+  namespace
+  {
+    using Numbers = std::vector<double>;
+
+    /// The data within reach, one after the other.
+    struct Data
+    {
+      std::vector<RigMode> modes;
+      Numbers              x, stress, weight;
+    };
+
+
+
+    Data used_data(const StaticFit &fit, const std::vector<TestCurve> &curves)
+    {
+      Data data;
+      for (const auto &curve : curves)
+        for (unsigned int i = 0; i < curve.x.size(); ++i)
+          if (fit.uses(curve.mode, curve.x[i]))
+            {
+              data.modes.push_back(curve.mode);
+              data.x.push_back(curve.x[i]);
+              data.stress.push_back(curve.stress[i]);
+              data.weight.push_back(fit.weight(curve.stress[i]));
+            }
+      return data;
+    }
+
+
+
+    Numbers stresses(const StaticLaw &law, const Data &data, const Numbers &q)
+    {
+      Numbers P(data.x.size());
+      for (unsigned int i = 0; i < P.size(); ++i)
+        P[i] = law.stress(data.modes[i], data.x[i], q);
+      return P;
+    }
+
+
+
+    Numbers residuals(const StaticLaw &law, const Data &data, const Numbers &q)
+    {
+      Numbers r = stresses(law, data, q);
+      for (unsigned int i = 0; i < r.size(); ++i)
+        r[i] = data.weight[i] * (r[i] - data.stress[i]);
+      return r;
+    }
+
+
+
+    /// Weighted stresses of unit parameters, the matrix of a linear law.
+    FullMatrix<double> unit_stresses(const StaticLaw &law, const Data &data)
+    {
+      const unsigned int n = law.parameters.size();
+      FullMatrix<double> A(data.x.size(), n);
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          Numbers unit(n, 0.);
+          unit[j]         = 1.;
+          const Numbers P = stresses(law, data, unit);
+          for (unsigned int i = 0; i < P.size(); ++i)
+            A(i, j) = data.weight[i] * P[i];
+        }
+      return A;
+    }
+
+
+
+    Numbers linear_solution(const StaticLaw &law, const Data &data)
+    {
+      const Numbers none(law.parameters.size(), 0.);
+      Numbers       b = residuals(law, data, none);
+      for (double &v : b)
+        v = -v;
+      return nonnegative_least_squares(unit_stresses(law, data), b);
+    }
+
+
+
+    FitProblem problem_of(const StaticLaw &law, const Data &data)
+    {
+      FitProblem problem;
+      problem.n_residuals = data.x.size();
+      problem.residuals   = [&law, &data](const Numbers &q) {
+        return residuals(law, data, q);
+      };
+      for (const auto &parameter : law.parameters)
+        {
+          problem.lower.push_back(parameter.lower);
+          problem.upper.push_back(parameter.upper);
+        }
+      const Numbers mu = linear_solution(incompressible_mooney_rivlin(), data);
+      problem.start    = law.start(mu[0], mu[1]);
+      return problem;
+    }
+  } // namespace
+
+
+
+  double largest_stretch(const RigMode mode, const double x)
   {
     switch (mode)
       {
-        case TestMode::uniaxial:
-          return "uniaxial";
-        case TestMode::equibiaxial:
-          return "equibiaxial";
-        case TestMode::pure_shear:
-          return "pure shear";
-        default:
-          return "simple shear";
-      }
-  }
-
-
-
-  std::array<double, 2> stress_by_moduli(const TestMode mode, const double x)
-  {
-    switch (mode)
-      {
-        case TestMode::uniaxial:
-          {
-            const double a = x - 1. / (x * x);
-            return {{a, a / x}};
-          }
-        case TestMode::equibiaxial:
-          {
-            const double a = x - std::pow(x, -5);
-            return {{a, a * x * x}};
-          }
-        case TestMode::pure_shear:
-          {
-            const double a = x - std::pow(x, -3);
-            return {{a, a}};
-          }
-        default:
-          return {{x, x}};
-      }
-  }
-
-
-
-  double largest_stretch(const TestMode mode, const double x)
-  {
-    switch (mode)
-      {
-        case TestMode::uniaxial:
+        case RigMode::uniaxial:
           return std::max(x, 1. / std::sqrt(x));
-        case TestMode::equibiaxial:
+        case RigMode::equibiaxial:
           return std::max(x, 1. / (x * x));
-        case TestMode::pure_shear:
+        case RigMode::pure_shear:
           return std::max(x, 1. / x);
-        default:
+        case RigMode::simple_shear:
           return .5 * std::abs(x) + std::sqrt(1. + .25 * x * x);
+        default:
+          return std::max(x, 1.);
       }
   }
 
 
 
-  bool StaticFit::uses(const TestMode mode, const double x) const
+  std::vector<double> StaticFitResult::values() const
+  {
+    Numbers q;
+    for (const auto &parameter : report.parameters)
+      q.push_back(parameter.value);
+    return q;
+  }
+
+
+
+  bool StaticFit::uses(const RigMode mode, const double x) const
   {
     return largest_stretch(mode, x) <= max_stretch;
+  }
+
+
+
+  unsigned int StaticFit::n_used(const std::vector<TestCurve> &curves) const
+  {
+    return used_data(*this, curves).x.size();
   }
 
 
@@ -88,34 +163,38 @@ namespace demold
 
 
 
-  FitReport StaticFit::fit(const std::vector<TestCurve> &curves) const
+  StaticFitResult StaticFit::fit(const StaticLaw              &law,
+                                 const std::vector<TestCurve> &curves) const
   {
-    std::vector<std::array<double, 2>> rows;
-    std::vector<double>                b;
-    for (const auto &curve : curves)
-      for (unsigned int i = 0; i < curve.x.size(); ++i)
-        if (uses(curve.mode, curve.x[i]))
-          {
-            auto         row = stress_by_moduli(curve.mode, curve.x[i]);
-            const double w   = weight(curve.stress[i]);
-            rows.push_back({{w * row[0], w * row[1]}});
-            b.push_back(w * curve.stress[i]);
-          }
+    const Data         data = used_data(*this, curves);
+    StaticFitResult    result;
+    Numbers            q;
+    FullMatrix<double> J;
+    if (law.linear)
+      {
+        q            = linear_solution(law, data);
+        J            = unit_stresses(law, data);
+        result.slope = 0.;
+      }
+    else
+      {
+        FitProblem problem = problem_of(law, data);
+        problem.jacobian   = [&problem](const Numbers &at) {
+          return jacobian_by_differences(problem, at);
+        };
+        const FitResult found = minimise(problem);
+        q                     = found.parameters;
+        J                     = problem.jacobian(q);
+        result.slope          = found.slope;
+      }
 
-    FullMatrix<double> A(rows.size(), 2);
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      for (unsigned int j = 0; j < 2; ++j)
-        A(i, j) = rows[i][j];
-    const auto          mu = nonnegative_least_squares(A, b);
-    std::vector<double> r(b.size());
-    for (unsigned int i = 0; i < r.size(); ++i)
-      r[i] = A(i, 0) * mu[0] + A(i, 1) * mu[1] - b[i];
-
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return assess({{"mu1", "MPa", mu[0], 0., infinity},
-                   {"mu2", "MPa", mu[1], 0., infinity}},
-                  r,
-                  A);
+    auto parameters = law.parameters;
+    for (unsigned int j = 0; j < q.size(); ++j)
+      parameters[j].value = q[j];
+    result.report = assess(parameters, residuals(law, data, q), J);
+    result.determination =
+      coefficient_of_determination(data.stress, stresses(law, data, q));
+    return result;
   }
 
 
@@ -123,11 +202,11 @@ namespace demold
   std::string advice_on_modes(const std::vector<TestCurve> &curves,
                               const FitReport              &report)
   {
-    std::set<TestMode> modes;
+    std::set<RigMode> modes;
     for (const auto &curve : curves)
       modes.insert(curve.mode);
-    const bool only_shear = modes.count(TestMode::uniaxial) == 0 &&
-                            modes.count(TestMode::equibiaxial) == 0;
+    const bool only_shear = modes.count(RigMode::uniaxial) == 0 &&
+                            modes.count(RigMode::equibiaxial) == 0;
     if (only_shear)
       return "Shear data identify only the sum mu1 + mu2. Add a uniaxial and "
              "an equibiaxial test to divide it.";
@@ -137,7 +216,7 @@ namespace demold
     const double       correlation = report.correlation(0, 1);
     std::ostringstream text;
     text.precision(3);
-    text << in_words(*modes.begin())
+    text << name_of(*modes.begin())
          << " data alone do not identify mu2: the stresses of mu1 and mu2 "
             "differ too little in one mode";
     if (std::isfinite(correlation))

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The task `static fit`: entries, data files, tables and pictures.
+// The task `static fit`: entries, data files, what is written.
 #include "identification/static_fit_task.h"
 
 #include "base/parameter_error.h"
 #include "identification/fit_output.h"
-#include "identification/parameter_include.h"
-#include "output/result_table.h"
+#include "identification/static_fit_output.h"
+#include "material/elastic_laws.h"
 #include "output/summary.h"
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <set>
 #include <sstream>
 
 namespace demold
@@ -21,14 +19,16 @@ namespace demold
 
   namespace
   {
-    constexpr TestMode modes[] = {TestMode::uniaxial,
-                                  TestMode::equibiaxial,
-                                  TestMode::pure_shear,
-                                  TestMode::simple_shear};
+    constexpr RigMode modes[] = {RigMode::uniaxial,
+                                 RigMode::equibiaxial,
+                                 RigMode::pure_shear,
+                                 RigMode::simple_shear};
 
-    std::vector<DataColumn> columns_of(const TestMode mode)
+    constexpr const char *include_file = "material.prm";
+
+    std::vector<DataColumn> columns_of(const RigMode mode)
     {
-      if (mode == TestMode::simple_shear)
+      if (mode == RigMode::simple_shear)
         return {{"shear [-]", DataColumn::any},
                 {"shear stress [MPa]", DataColumn::any}};
       return {{"stretch [-]", DataColumn::positive},
@@ -38,9 +38,9 @@ namespace demold
 
 
     /// A rubber pulls back: stress and strain have the same sign.
-    void check_signs(const TestMode mode, const DataFile &data)
+    void check_signs(const RigMode mode, const DataFile &data)
     {
-      const double rest = mode == TestMode::simple_shear ? 0. : 1.;
+      const double rest = mode == RigMode::simple_shear ? 0. : 1.;
       for (unsigned int i = 0; i < data.n_rows(); ++i)
         if ((data.columns[0][i] - rest) * data.columns[1][i] < 0.)
           throw ExcDataFile(data.file,
@@ -52,89 +52,30 @@ namespace demold
                               columns_of(mode)[1].name + "\" is " +
                               prm_number(data.columns[1][i]) + ".");
     }
-
-
-
-    void write_fit(const std::string            &file,
-                   const StaticFit              &fit,
-                   const std::vector<TestCurve> &curves,
-                   const double                  mu1,
-                   const double                  mu2)
-    {
-      ResultTable table(file,
-                        {"mode",
-                         "stretch or shear [-]",
-                         "data [MPa]",
-                         "model [MPa]",
-                         "residual [MPa]",
-                         "weight [-]"});
-      for (const auto &curve : curves)
-        for (unsigned int i = 0; i < curve.x.size(); ++i)
-          {
-            const auto   by    = stress_by_moduli(curve.mode, curve.x[i]);
-            const double model = mu1 * by[0] + mu2 * by[1];
-            const bool   used  = fit.uses(curve.mode, curve.x[i]);
-            table.add_row({in_words(curve.mode),
-                           curve.x[i],
-                           curve.stress[i],
-                           model,
-                           model - curve.stress[i],
-                           used ? fit.weight(curve.stress[i]) : 0.});
-          }
-    }
-
-
-
-    /// How the moduli depend on the largest stretch that is used: constants of
-    /// the rubber would not.
-    void write_range(const std::string            &file,
-                     StaticFit                     fit,
-                     const std::vector<TestCurve> &curves)
-    {
-      std::set<double> stretches;
-      for (const auto &curve : curves)
-        for (const double x : curve.x)
-          stretches.insert(largest_stretch(curve.mode, x));
-      ResultTable table(file,
-                        {"largest stretch [-]",
-                         "mu1 [MPa]",
-                         "standard error of mu1 [MPa]",
-                         "mu2 [MPa]",
-                         "standard error of mu2 [MPa]",
-                         "rms"});
-      for (const double stretch : stretches)
-        {
-          fit.max_stretch = stretch;
-          std::size_t n   = 0;
-          for (const auto &curve : curves)
-            n += std::count_if(curve.x.begin(),
-                               curve.x.end(),
-                               [&](const double x) {
-                                 return fit.uses(curve.mode, x);
-                               });
-          if (n < 4)
-            continue;
-          const FitReport report = fit.fit(curves);
-          table.add_row({stretch,
-                         report.parameters[0].value,
-                         report.parameters[0].standard_error,
-                         report.parameters[1].value,
-                         report.parameters[1].standard_error,
-                         report.rms});
-        }
-    }
   } // namespace
 
 
 
   void StaticFitTask::add_parameters(ParameterHandler &prm)
   {
+    law_name = incompressible_mooney_rivlin().name;
     prm.enter_subsection("Static fit");
-    for (const TestMode mode : modes)
+    prm.add_parameter("law",
+                      law_name,
+                      "what is fitted: mooney-rivlin is the law of scenes, of "
+                      "the lambda below; ogden is for comparison, no scene has "
+                      "it [-]",
+                      Patterns::Selection(law_name + "|" + MooneyRivlin::name +
+                                          "|" + ogden(1).name));
+    prm.add_parameter("ogden terms",
+                      n_terms,
+                      "number of terms of ogden [-]",
+                      Patterns::Integer(1, 2));
+    for (const RigMode mode : modes)
       {
         const auto  columns = columns_of(mode);
         std::string text    = "CSV with the columns ";
-        prm.add_parameter(in_words(mode) + " file",
+        prm.add_parameter(name_of(mode) + " file",
                           files[static_cast<int>(mode)],
                           text + "\"" + columns[0].name + "\" and \"" +
                             columns[1].name + "\"; empty: no such test");
@@ -154,8 +95,8 @@ namespace demold
                       Patterns::Double(1.));
     prm.add_parameter("lambda",
                       lambda,
-                      "Lambda volumetric stiffness, not fitted, handed on to "
-                      "material.prm [MPa]",
+                      "Lambda volumetric stiffness of mooney-rivlin and of "
+                      "material.prm, not fitted [MPa]",
                       Patterns::Double(0.));
     prm.leave_subsection();
   }
@@ -173,31 +114,45 @@ namespace demold
 
 
 
+  StaticLaw StaticFitTask::law() const
+  {
+    if (law_name == MooneyRivlin::name)
+      return compressible_mooney_rivlin(lambda);
+    if (law_name == ogden(n_terms).name)
+      return ogden(n_terms);
+    return incompressible_mooney_rivlin();
+  }
+
+
+
   StaticFitTask::Tests StaticFitTask::read() const
   {
-    Tests        tests;
-    unsigned int n_used = 0;
-    for (const TestMode mode : modes)
+    if (law_name == MooneyRivlin::name && !(lambda > 0.))
+      throw ExcParameter("Static fit/lambda",
+                         "must be greater than 0 for law = mooney-rivlin; got "
+                         "0 MPa. Take 50 to 100 times the shear modulus.");
+    Tests tests;
+    for (const RigMode mode : modes)
       {
         const std::string &file = files[static_cast<int>(mode)];
         if (file.empty())
           continue;
-        const DataFile data = read_data_file(file, columns_of(mode));
+        tests.files.push_back(read_data_file(file, columns_of(mode)));
+        const DataFile &data = tests.files.back();
         check_signs(mode, data);
-        for (const double x : data.columns[0])
-          n_used += fit().uses(mode, x) ? 1 : 0;
         tests.curves.push_back({mode, data.columns[0], data.columns[1]});
-        tests.files.push_back(data);
       }
     if (tests.files.empty())
       throw ExcParameter("Static fit/uniaxial file",
                          "at least one test is needed; got none. Name its "
                          "data file here or in one of the entries below.");
-    if (n_used < 3)
+    const unsigned int n        = fit().n_used(tests.curves),
+                       n_needed = law().parameters.size() + 1;
+    if (n < n_needed)
       throw ExcParameter("Static fit/largest stretch",
-                         "must leave at least 3 data; " +
-                           prm_number(max_stretch) + " leaves " +
-                           std::to_string(n_used) + ". Raise it.");
+                         "must leave at least " + std::to_string(n_needed) +
+                           " data; " + prm_number(max_stretch) + " leaves " +
+                           std::to_string(n) + ". Raise it.");
     return tests;
   }
 
@@ -214,59 +169,73 @@ namespace demold
   {
     const Tests        tests = read();
     std::ostringstream text;
-    text << "Fits mu1 and mu2 of Mooney and Rivlin, " << weights
+    text << "Fits " << law_name << ", " << weights
          << " weights, up to the stretch " << max_stretch << ":";
-    for (unsigned int i = 0; i < tests.curves.size(); ++i)
-      text << "\n  " << in_words(tests.curves[i].mode) << ", "
-           << tests.files[i].n_rows() << " rows of "
-           << std::filesystem::path(tests.files[i].file).filename().string();
+    for (unsigned int i = 0; i < tests.files.size(); ++i)
+      text << "\n  " << name_of(tests.curves[i].mode) << ", "
+           << extent(tests.files[i], "rows");
+    if (!law().for_scenes)
+      text << "\nNo scene has this law: " << include_file
+           << " will not be written.";
     return text.str();
+  }
+
+
+
+  std::string StaticFitTask::advice(const Tests           &tests,
+                                    const StaticFitResult &result) const
+  {
+    const std::string modes =
+      law().for_scenes ? advice_on_modes(tests.curves, result.report) : "";
+    return (modes.empty() ? "" : modes + " ") + result.report.identifiability();
   }
 
 
 
   RunStatus StaticFitTask::run(const RunContext &context) const
   {
-    const auto      tests              = read();
-    const FitReport report             = fit().fit(tests.curves);
-    const double    mu1                = report.parameters[0].value,
-                 mu2                   = report.parameters[1].value;
+    const auto                  tests  = read();
+    const StaticLaw             law    = this->law();
+    const auto                  result = fit().fit(law, tests.curves);
+    const auto                  q      = result.values();
     const std::filesystem::path folder = context.output_folder;
-    write_fit((folder / "fit.csv").string(), fit(), tests.curves, mu1, mu2);
-    write_range((folder / "range.csv").string(), fit(), tests.curves);
-    report.write_correlations((folder / "correlations.csv").string());
+    write_fit(context.output_folder, fit(), law, q, tests.curves);
+    write_range(context.output_folder, fit(), law, tests.curves);
+    result.report.write_correlations((folder / "correlations.csv").string());
 
-    ParameterInclude include;
-    include.comments         = source_comments(tests.files);
-    const std::string advice = advice_on_modes(tests.curves, report);
-    include.comments.push_back(report.identifiability());
-    if (!advice.empty())
-      include.comments.push_back(advice);
-    include.set("model", std::string("mooney-rivlin"));
-    include.set("lambda", lambda);
-    include.set("mu1", mu1);
-    include.set("mu2", mu2);
-    include.write((folder / "material.prm").string());
+    // That of an earlier fit would be taken for one of this.
+    std::filesystem::remove(folder / include_file);
+    if (law.for_scenes)
+      {
+        ParameterInclude include = static_material(lambda, q[0], q[1]);
+        include.comments         = source_comments(tests.files);
+        include.comments.push_back(advice(tests, result));
+        include.write((folder / include_file).string());
+      }
 
-    Summary summary;
-    summary.set("status", "completed");
-    summary.set("reason", "the data are fitted");
-    report.write(fit().relative ? "-" : "MPa", summary);
-    summary.set("identifiability",
-                advice.empty() ? report.identifiability() :
-                                 advice + " " + report.identifiability());
-    summary.set("shear modulus [MPa]", mu1 + mu2);
+    Summary summary = summary_of_fit();
+    summary.set("law", law.name);
+    result.report.write(fit().relative ? "-" : "MPa", summary);
+    summary.set("R2 [-]", result.determination);
+    summary.set("remaining slope [-]", result.slope);
+    summary.set("identifiability", advice(tests, result));
+    double shear_modulus = 0.;
+    for (const auto &p : result.report.parameters)
+      shear_modulus += p.unit == "MPa" ? p.value : 0.;
+    summary.set("shear modulus [MPa]", shear_modulus);
+    summary.set("include file",
+                law.for_scenes ? include_file : "none: no scene has this law");
 
     FitPlot plot;
     plot.name    = "stress";
-    plot.title   = "Nominal stress";
+    plot.title   = "Nominal stress, " + law.name;
     plot.x       = "stretch or shear [-]";
     plot.y_label = "stress [MPa]";
     plot.group   = "mode";
     for (const auto &curve : tests.curves)
-      plot.group_values.push_back(in_words(curve.mode));
+      plot.group_values.push_back(name_of(curve.mode));
     plot.y = {{"data [MPa]", "model [MPa]"}};
-    finish_fit(context, summary, {plot}, "material.prm");
+    finish_fit(context, summary, {plot}, law.for_scenes ? include_file : "");
     return RunStatus::completed;
   }
 } // namespace demold

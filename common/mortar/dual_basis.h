@@ -23,9 +23,10 @@ namespace demold
   };
 
   /// Condition number (1-norm, M_e scaled to a unit diagonal) beyond which a
-  /// face counts as little covered. A fully covered parallelogram has 9, a
-  /// face covered by a corner of a tenth of its edges some 1e5.
-  constexpr double worst_dual_condition = 1e7;
+  /// face counts as little covered. A fully covered parallelogram has 9, one
+  /// covered at a corner alone up to 194. A strip across the middle of which
+  /// the width is w times the edge has 9/w^2.
+  constexpr double worst_dual_condition = 1e5;
 
   /// The basis from the standard @p D of a face, summed over all its masters.
   DualBasis dual_basis(const NodeMatrix<double> &D, const unsigned int n_nodes);

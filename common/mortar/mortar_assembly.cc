@@ -74,11 +74,14 @@ namespace demold
     trial         = committed;
     normals       = mortar.normals();
     rows          = mortar.rows(row_demand(state, assembler.with_tangent()));
+
     for (unsigned int own = 0; own < trial.size(); ++own)
-      if (resolvent.holds(committed[own].law) || is_opposed(state, own))
-        assemble_point(state, assembler, own);
-      else
+      if (!resolvent.holds(committed[own].law) && !is_opposed(state, own))
         assemble_idle(state, assembler, own);
+      else if (!is_condensed())
+        assemble_point(state, assembler, own);
+      else if (!has_own_rows(own))
+        assemble_eliminated(state, assembler, own);
     seconds += timer.wall_time();
     return true;
   }
@@ -86,6 +89,8 @@ namespace demold
   Tensor<1, 3> MortarTerm::multiplier(const Configuration &state,
                                       const unsigned int   own) const
   {
+    if (is_condensed())
+      return found[own];
     Tensor<1, 3> lambda;
     for (unsigned int d = 0; d < surfaces.dim(); ++d)
       lambda[d] = state.u(first_unknown(own) + d);
@@ -110,7 +115,9 @@ namespace demold
           const Tensor<1, 3> &n = normals[own].n;
           const double        gap =
             n * weighted_gap(surfaces, values[own]) / values[own].area;
-          if (n * multiplier(state, own) + resolvent.penalty * gap <= 0.)
+          if (holds_at_start(state, own) ||
+              (is_condensed() && (committed[own].closed || gap <= 0.)) ||
+              n * multiplier(state, own) + resolvent.penalty * gap <= 0.)
             demand[own] = RowDemand::derivatives;
         }
     return demand;
@@ -136,6 +143,13 @@ namespace demold
       state.time - state.dt,
       current_position(surfaces.node(node), state.u_old, surfaces.dim()));
     return gap + n * (surfaces.x(node) - x_old) > -.01 * point(own).depth;
+  }
+
+  bool MortarTerm::holds_at_start(const Configuration &state,
+                                  const unsigned int   own) const
+  {
+    return state.iteration == 0 && committed[own].closed &&
+           committed[own].traction.norm_square() == 0.;
   }
 
   PointGap MortarTerm::frozen_gap(const unsigned int own) const
@@ -167,18 +181,48 @@ namespace demold
     return current_point_gap(surfaces, rows[own], slip_rows[own], normals[own]);
   }
 
+  PointGap MortarTerm::gap_of(const unsigned int own) const
+  {
+    return resolvent.holds(committed[own].law) ? frozen_gap(own) :
+                                                 current_gap(own);
+  }
+
+  const NodalRow &MortarTerm::row_of(const unsigned int own) const
+  {
+    return resolvent.holds(committed[own].law) ? frozen[own].row : rows[own];
+  }
+
+  ConstraintInput MortarTerm::constraint_input(const Configuration &state,
+                                               const unsigned int   own,
+                                               const PointGap      &gap)
+  {
+    newton_memory[own].iteration = state.iteration;
+    ConstraintInput input;
+    input.gap      = gap.gap;
+    input.normal   = normals[own].n;
+    input.traction = multiplier(state, own);
+    if (resolvent.holds(committed[own].law))
+      input.old_gap = committed[own].gap;
+    input.compliance = compliance[own];
+    input.is_pressed = holds_at_start(state, own);
+    return input;
+  }
+
   void MortarTerm::assemble_idle(const Configuration &state,
                                  Assembler           &assembler,
                                  const unsigned int   own)
   {
+    if (is_condensed())
+      found[own] = Tensor<1, 3>();
     const std::vector<unsigned int> no_nodes;
     LocalSystem                     local(no_nodes);
     Tensor<2, 3>                    row;
     for (unsigned int d = 0; d < 3; ++d)
-      row[d][d] = -1. / resolvent.penalty;
+      row[d][d] = -point(own).area;
     local.add(local.multiplier, row * multiplier(state, own));
     local.add(local.multiplier, local.multiplier, row);
-    insert(assembler, own, local);
+    if (!is_condensed())
+      insert(assembler, own, local);
     MultiplierHistory &point = trial[own];
     point                    = MultiplierHistory();
     point.law                = without_contact(committed[own].law);
@@ -190,23 +234,16 @@ namespace demold
                                   Assembler           &assembler,
                                   const unsigned int   own)
   {
-    const MultiplierHistory &old   = committed[own];
-    const bool               holds = resolvent.holds(old.law);
-    const PointGap           gap   = holds ? frozen_gap(own) : current_gap(own);
-    const NodalRow          &row   = holds ? frozen[own].row : rows[own];
-
-    newton_memory[own].iteration = state.iteration;
-    ConstraintInput input;
-    input.gap        = gap.gap;
-    input.normal     = normals[own].n;
-    input.traction   = multiplier(state, own);
-    input.old_gap    = holds ? old.gap : Tensor<1, 3>();
-    input.compliance = compliance[own];
-    const ConstraintResponse response =
-      point_constraint(resolvent, input, old.law, newton_memory[own]);
+    const PointGap           gap      = gap_of(own);
+    const NodalRow          &row      = row_of(own);
+    const ConstraintInput    input    = constraint_input(state, own, gap);
+    const ConstraintResponse response = point_constraint(resolvent,
+                                                         input,
+                                                         committed[own].law,
+                                                         newton_memory[own]);
 
     LocalSystem  local(gap.nodes);
-    const double share = gap.area / point(own).area;
+    const double share = resolvent.penalty * gap.area; // theory C9
     const auto   m     = local.multiplier;
     local.add(m, share * response.residual);
     for (unsigned int k = 0; k < row.nodes.size(); ++k)
@@ -221,8 +258,8 @@ namespace demold
                     l,
                     share * (response.dgap * gap.dgap[l] +
                              response.dnormal * gap.dnormal[l]) +
-                      outer_product(response.residual, gap.darea[l]) /
-                        point(own).area);
+                      resolvent.penalty *
+                        outer_product(response.residual, gap.darea[l]));
         add_force_tangent(row, input.traction, local);
       }
     insert(assembler, own, local);

@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace demold
 {
@@ -45,12 +46,14 @@ namespace demold
     count_change(own, point.number);
 
     now.stored += gap.area * law.stored;
+    for (unsigned int d = 0; d < 3; ++d)
+      now.stored +=
+        .5 * gap.area * compliance[own][d] * std::pow(input.traction[d], 2);
     now.friction += gap.area * law.friction_increment;
     increment.lost += gap.area * law.dissipated_increment;
     if (law.dissipated_increment > 0.)
       increment.front += gap.area;
-    const NodalRow &row =
-      resolvent.holds(old.law) ? frozen[own].row : rows[own];
+    const NodalRow &row = row_of(own);
     // Pressure that works while the point closes or opens.
     if (old.has_gap)
       now.impact += .5 * gap.area *

@@ -134,11 +134,16 @@ namespace demold
   void MortarSurfaces::add_nodes_around(const unsigned int      face,
                                         std::set<unsigned int> &nodes) const
   {
-    const Facet &slave_facet = slave_surface.facet(face);
-    nodes.insert(slave_facet.nodes.begin(),
-                 slave_facet.nodes.begin() + slave_facet.n_nodes);
+    add_slave_nodes(face, nodes);
     for (const unsigned int f : search.candidates(face))
       add_master_nodes(f, nodes);
+  }
+
+  void MortarSurfaces::add_slave_nodes(const unsigned int      face,
+                                       std::set<unsigned int> &nodes) const
+  {
+    const Facet &facet = slave_surface.facet(face);
+    nodes.insert(facet.nodes.begin(), facet.nodes.begin() + facet.n_nodes);
   }
 
   void MortarSurfaces::add_master_nodes(const unsigned int      facet,

@@ -82,6 +82,10 @@ namespace demold
     void add_nodes_around(const unsigned int      face,
                           std::set<unsigned int> &nodes) const;
 
+    /// Adds the nodes of a slave face.
+    void add_slave_nodes(const unsigned int      face,
+                         std::set<unsigned int> &nodes) const;
+
     /// Adds the nodes of a master facet.
     void add_master_nodes(const unsigned int      facet,
                           std::set<unsigned int> &nodes) const;

@@ -2,6 +2,7 @@
 // Life of the mortar term: start, increments, checkpoints.
 #include "mortar/mortar_term.h"
 
+#include "contact/closest_point.h"
 #include "mortar/point_gap.h"
 #include "weak_form/assembler.h"
 
@@ -24,10 +25,13 @@ namespace demold
     /// (theory B.11).
     constexpr double smallest_cover = .01;
 
-    /// Compliance of multipliers that the constraints alone leave undetermined
-    /// (two patches at one edge node, nodes with supports), over 1/c_N: their
-    /// gaps are wrong by this share of lambda/c_N.
-    constexpr double relative_compliance = 1e-6;
+    /// Compliances over 1/c_N of multipliers that their constraints alone
+    /// leave undetermined. Gaps are wrong by this share of lambda/c_N.
+    /// Two patches share an edge node, or the whole face is driven:
+    constexpr double vanishing_compliance = 1e-6;
+    /// A support holds the node, but not its neighbours: a stiffer bond to a
+    /// mould that moves on would tear at them through the multiplier.
+    constexpr double support_compliance = 1.;
 
     PairOptions pair_options(const InterfaceDescription &description)
     {
@@ -82,6 +86,8 @@ namespace demold
     newton_memory.resize(n);
     just_closed.assign(n, false);
     last_number.assign(n, state_free);
+    found.resize(n);
+    eliminated.resize(n);
     find_compliance(is_held);
     start_points();
     trial = committed;
@@ -95,12 +101,32 @@ namespace demold
       ++points_at_node[point.node];
     for (unsigned int own = 0; own < committed.size(); ++own)
       {
-        const unsigned int node = point(own).node;
+        std::set<unsigned int> around;
+        for (const unsigned int face : point(own).facets)
+          surfaces.add_slave_nodes(face, around);
         compliance.emplace_back();
+        free.emplace_back();
+        shared.push_back(points_at_node[point(own).node] > 1);
         for (unsigned int d = 0; d < surfaces.dim(); ++d)
-          if (points_at_node[node] > 1 ||
-              is_held(surfaces.node(node).unknowns[d]))
-            compliance[own][d] = relative_compliance / resolvent.penalty;
+          if (!is_held(surfaces.node(point(own).node).unknowns[d]))
+            free[own].push_back(d);
+        for (unsigned int d = 0; d < surfaces.dim(); ++d)
+          {
+            const auto held = [&](const unsigned int node) {
+              return is_held(surfaces.node(node).unknowns[d]);
+            };
+            const bool all_held =
+              std::all_of(around.begin(), around.end(), held);
+            if (held(point(own).node) && !all_held)
+              compliance[own][d] = support_compliance;
+            else if (all_held || shared[own])
+              compliance[own][d] = vanishing_compliance;
+          }
+        if (is_condensed() && !has_own_rows(own))
+          for (unsigned int d = 0; d < surfaces.dim(); ++d)
+            compliance[own][d] =
+              std::max(compliance[own][d], vanishing_compliance);
+        compliance[own] /= resolvent.penalty;
       }
   }
 
@@ -118,7 +144,7 @@ namespace demold
         history.has_gap            = true;
         history.area               = row.area;
         history.gap_N = normals[own].n * weighted_gap(surfaces, row) / row.area;
-        history.closed        = history.gap_N <= touching_gap;
+        history.closed        = history.gap_N <= touching_gap || touches(own);
         history.law.may_stick = history.closed;
         const Point<3> &X     = surfaces.x(point(own).node);
         if (description.adhesion && description.bonded(X) &&
@@ -126,6 +152,23 @@ namespace demold
           bond(own);
       }
     keep_slip_rows();
+  }
+
+  /// Does the node of the point lie on the other surface?
+  bool MortarTerm::touches(const unsigned int own) const
+  {
+    const Point<3> &x = surfaces.x(point(own).node);
+    for (const unsigned int face : point(own).facets)
+      for (const unsigned int facet : surfaces.opposite(face))
+        {
+          const Projection foot =
+            project(x, surfaces.master().surface.facet_positions(facet));
+          if (foot.found && (x - foot.x).norm() <= touching_gap &&
+              std::abs(foot.xi[0]) <= 1. + inside_tolerance &&
+              std::abs(foot.xi[1]) <= 1. + inside_tolerance)
+            return true;
+        }
+    return false;
   }
 
   bool MortarTerm::is_covered(const unsigned int own) const
@@ -207,6 +250,8 @@ namespace demold
   std::vector<unsigned int> MortarTerm::extra_unknown_owners() const
   {
     std::vector<unsigned int> owners;
+    if (is_condensed())
+      return owners;
     for (const unsigned int rank : surfaces.owners())
       owners.insert(owners.end(), surfaces.dim(), rank);
     return owners;
@@ -248,7 +293,7 @@ namespace demold
           if (!surfaces.is_rigid(node))
             for (unsigned int d = 0; d < surfaces.dim(); ++d)
               indices.push_back(surfaces.node(node).unknowns[d]);
-        for (unsigned int d = 0; d < surfaces.dim(); ++d)
+        for (unsigned int d = 0; !is_condensed() && d < surfaces.dim(); ++d)
           indices.push_back(first_unknown(own) + d);
         constraints.add_entries_local_to_global(indices, pattern, false);
       }
@@ -267,6 +312,8 @@ namespace demold
       {
         last_dt = state.dt;
         newton_memory.assign(newton_memory.size(), NewtonMemory());
+        for (unsigned int own = 0; own < committed.size(); ++own)
+          eliminated[own].restart(committed[own].traction);
       }
     seconds += timer.wall_time();
   }

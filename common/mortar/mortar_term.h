@@ -4,6 +4,7 @@
 #define demold_mortar_mortar_term_h
 
 #include "contact/interface_term.h"
+#include "mortar/eliminated_multiplier.h"
 #include "mortar/mortar_operator.h"
 #include "mortar/mortar_surfaces.h"
 #include "mortar/multiplier_history.h"
@@ -19,6 +20,13 @@ namespace demold
   /// mortar operators and obeys gap = G(lambda + c gap), one constraint for
   /// contact, friction and adhesion, solved together with everything else by
   /// semi-smooth Newton.
+  ///
+  /// Dual multipliers on a rigid mould are condensed: lambda is the force that
+  /// the rest of the system leaves unbalanced at the node, over D_AA, and the
+  /// rows of the node become the constraint; components with a support get no
+  /// lambda (theory B.11). Points that share their node with another patch, or
+  /// whose node is held altogether, cannot be treated so: they take a small
+  /// compliance, so that their own constraint gives lambda.
   ///
   /// A point that holds a bond uses the operator frozen at bonding, on the
   /// reference configuration: lambda is a nominal traction. All others use the
@@ -49,6 +57,7 @@ namespace demold
     bool           couplings_changed() const override;
     void           prepare(const Configuration &) override;
     bool           assemble(const Configuration &, Assembler &) override;
+    void           condense(const Configuration &, CondensedRows &) override;
     unsigned int   n_state_changes() const override;
     bool           has_settled() const override;
     IncrementError increment_error() const override;
@@ -99,32 +108,60 @@ namespace demold
     bool                   is_covered(const unsigned int own) const;
     bool is_opposed(const Configuration &, const unsigned int own) const;
 
-    PointGap frozen_gap(const unsigned int own) const;
-    PointGap current_gap(const unsigned int own) const;
-    void     assemble_point(const Configuration &,
-                            Assembler &,
-                            const unsigned int own);
-    void     assemble_idle(const Configuration &,
-                           Assembler &,
-                           const unsigned int own);
-    void     add_force_tangent(const NodalRow             &row,
-                               const dealii::Tensor<1, 3> &traction,
-                               LocalSystem                &local) const;
+    bool holds_at_start(const Configuration &, const unsigned int own) const;
+    bool touches(const unsigned int own) const;
+
+    PointGap        frozen_gap(const unsigned int own) const;
+    PointGap        current_gap(const unsigned int own) const;
+    PointGap        gap_of(const unsigned int own) const;
+    const NodalRow &row_of(const unsigned int own) const;
+    ConstraintInput constraint_input(const Configuration &,
+                                     const unsigned int own,
+                                     const PointGap    &gap);
+    void            assemble_point(const Configuration &,
+                                   Assembler &,
+                                   const unsigned int own);
+    void            assemble_idle(const Configuration &,
+                                  Assembler &,
+                                  const unsigned int own);
+    void            add_force_tangent(const NodalRow             &row,
+                                      const dealii::Tensor<1, 3> &traction,
+                                      LocalSystem                &local) const;
     void insert(Assembler &, const unsigned int own, const LocalSystem &) const;
     void account(const Configuration &,
                  const unsigned int        own,
                  const ConstraintInput    &input,
                  const ConstraintResponse &response,
                  const PointGap           &gap);
+    // Condensed multipliers.
+    bool is_condensed() const;
+    bool has_own_rows(const unsigned int own) const;
+    void condense_point(const Configuration &,
+                        CondensedRows &,
+                        const unsigned int own);
+    dealii::FullMatrix<double>
+         direct_dependence(const ConstraintResponse        &response,
+                           const ConstraintInput           &input,
+                           const PointGap                  &gap,
+                           const NodalUnknowns             &columns,
+                           const std::vector<unsigned int> &components) const;
+    void assemble_eliminated(const Configuration &,
+                             Assembler &,
+                             const unsigned int own);
+
     void count_change(const unsigned int own, const int number);
 
-    const InterfaceDescription        description;
-    const MPI_Comm                    communicator;
-    MortarSurfaces                    surfaces;
-    MortarOperator                    mortar;
-    TractionResolvent                 resolvent;
-    std::vector<dealii::Tensor<1, 3>> compliance; ///< [mm/MPa]
-    dealii::types::global_dof_index   first_multiplier = 0;
+    const InterfaceDescription             description;
+    const MPI_Comm                         communicator;
+    MortarSurfaces                         surfaces;
+    MortarOperator                         mortar;
+    TractionResolvent                      resolvent;
+    std::vector<dealii::Tensor<1, 3>>      compliance; ///< [mm/MPa]
+    std::vector<std::vector<unsigned int>> free; ///< components without support
+    std::vector<bool>                      shared; ///< node, with another patch
+    std::vector<dealii::Tensor<1, 3>>      found; ///< lambda [MPa] if condensed
+    std::vector<EliminatedMultiplier>      eliminated;
+    dealii::types::global_dof_index        first_multiplier = 0;
 
     // One entry per own point.
     std::vector<FrozenRow>         frozen;

@@ -104,9 +104,10 @@ namespace demold
             {
               const unsigned int q = D_integral(A, B);
               value.D[A][B]        = sums.value[q];
-              result.dD[A][B]      = B < A ?
-                                       result.dD[B][A] :
-                                       in_space(sums, q, projection, derived_by);
+              if (B < A)
+                result.dD[A][B] = result.dD[B][A];
+              else
+                result.dD[A][B] = in_space(sums, q, projection, derived_by);
               last_M += value.D[A][B];
               add(1., result.dD[A][B], last_dM);
             }

@@ -2,6 +2,8 @@
 // The constraint of one multiplier in space: gap = G(augmented traction).
 #include "mortar/point_constraint.h"
 
+#include <algorithm>
+
 namespace demold
 {
   using namespace dealii;
@@ -59,8 +61,10 @@ namespace demold
     turned.slip           = tangential * input.old_gap;
 
     ConstraintResponse response;
+    const double       pressing =
+      input.is_pressed ? std::min(augmented * n, 0.) : augmented * n;
     response.law          = evaluate_by_rules(resolvent,
-                                     {augmented * n, tangential * augmented},
+                                     {pressing, tangential * augmented},
                                      turned,
                                      last);
     const Tensor<2, 3> dG = by_traction(response.law, n, tangential);

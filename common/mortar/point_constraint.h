@@ -20,6 +20,10 @@ namespace demold
     /// tangential part replaces the slip of the history.
     dealii::Tensor<1, 3> old_gap;
 
+    /// Pressed whatever the traction says: surfaces that touch at the start
+    /// hold each other in the first iteration.
+    bool is_pressed = false;
+
     /// [mm/MPa] by component, where the constraint alone would leave the
     /// multiplier undetermined, else 0.
     dealii::Tensor<1, 3> compliance;

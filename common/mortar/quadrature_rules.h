@@ -16,9 +16,8 @@ namespace demold
     unsigned int                         n_points = 0;
   };
 
-  /// 3 points, exact to degree 2 (Hammer & Stroud 1956); 6 points, degree 4
-  /// (Cowper 1973, Dunavant 1985); 7 points, degree 5 (Radon 1948). All points
-  /// lie inside, all weights are positive.
+  /// 3 points, exact to degree 2; 6 points, degree 4 (Dunavant 1985); 7 points,
+  /// degree 5 (Radon 1948). All points lie inside, all weights are positive.
   const TriangleRule &triangle_rule(const unsigned int n_points);
 
   /// Points in [-1,1]; the weights sum up to 2.

@@ -23,6 +23,7 @@ namespace demold
       SegmentVertex vertex;
       bool          edge_of_master = false;
       unsigned int  edge           = 0;
+      double        share          = 0.; ///< s of a crossing
     };
 
     struct Polygon
@@ -50,28 +51,57 @@ namespace demold
         return {{cell.nodes[edge], cell.nodes[(edge + 1) % cell.n_nodes]}};
       }
 
-      /// Signed distances of the vertices to the line of a master edge, > 0
-      /// inside, 0 if the vertex counts as being on it. False if the edge has
-      /// no length.
-      bool distances(const Polygon                    &polygon,
-                     const unsigned int                edge,
-                     std::array<double, max_vertices> &d) const
+      /// Signed distance of a point to the line of a master edge, times the
+      /// length() of the edge, > 0 inside.
+      double distance(const unsigned int         edge,
+                      const PlaneVector<double> &y) const
       {
-        const auto                node   = ends(master, edge);
-        const PlaneVector<double> start  = y_master[node[0]];
-        const PlaneVector<double> along  = difference(y_master[node[1]], start);
-        const double              length = std::sqrt(dot(along, along));
-        if (!(length > 0.))
-          return false;
+        const auto                 node  = ends(master, edge);
+        const PlaneVector<double> &start = y_master[node[0]];
+        return cross(difference(y_master[node[1]], start),
+                     difference(y, start));
+      }
+
+      double length(const unsigned int edge) const
+      {
+        const auto node = ends(master, edge);
+        const auto e    = difference(y_master[node[1]], y_master[node[0]]);
+        return std::sqrt(dot(e, e));
+      }
+
+      /// On which side of the line of a master edge the vertices are: > 0
+      /// inside, 0 on the line. Of the slave only its nodes decide whether they
+      /// are on the line; the crossings on its edges follow them, so that
+      /// all masters agree, whatever lines they have clipped with before.
+      std::array<double, max_vertices> sides(const Polygon     &polygon,
+                                             const unsigned int edge) const
+      {
+        const double          nearness = tolerance * length(edge);
+        std::array<double, 4> of_node{};
+        for (unsigned int i = 0; i < slave.n_nodes; ++i)
+          {
+            const unsigned int node = slave.nodes[i];
+            const double       d    = distance(edge, y_slave[node]);
+            of_node[node]           = std::abs(d) <= nearness ? 0. : d;
+          }
+        std::array<double, max_vertices> d{};
         for (unsigned int i = 0; i < polygon.n; ++i)
           {
-            d[i] =
-              cross(along, difference(polygon.vertices[i].vertex.y, start)) /
-              length;
-            if (std::abs(d[i]) <= tolerance)
-              d[i] = 0.;
+            const SegmentVertex &vertex = polygon.vertices[i].vertex;
+            const double         s      = polygon.vertices[i].share;
+            if (vertex.origin == Origin::slave_node)
+              d[i] = of_node[vertex.slave[0]];
+            else if (vertex.origin == Origin::crossing)
+              d[i] = (1. - s) * of_node[vertex.slave[0]] +
+                     s * of_node[vertex.slave[1]];
+            else
+              {
+                d[i] = distance(edge, vertex.y);
+                if (std::abs(d[i]) <= nearness)
+                  d[i] = 0.;
+              }
           }
-        return true;
+        return d;
       }
 
       /// The master node in which two master edges meet. Opposite edges meet
@@ -113,10 +143,13 @@ namespace demold
         SegmentVertex &vertex = result.vertex;
         if (!a.edge_of_master)
           {
-            vertex.origin = Origin::crossing;
-            vertex.slave  = ends(slave, a.edge);
-            vertex.master = ends(master, edge);
-            vertex.y      = vertex_position(vertex, y_slave, y_master);
+            vertex.origin        = Origin::crossing;
+            vertex.slave         = ends(slave, a.edge);
+            vertex.master        = ends(master, edge);
+            vertex.y             = vertex_position(vertex, y_slave, y_master);
+            const double d_start = distance(edge, y_slave[vertex.slave[0]]);
+            const double d_end   = distance(edge, y_slave[vertex.slave[1]]);
+            result.share         = d_start / (d_start - d_end);
             return result;
           }
         const double t = d_a / (d_a - d_b);
@@ -130,10 +163,10 @@ namespace demold
       /// What of a polygon lies inside of master edge @p edge.
       Polygon clipped(const Polygon &polygon, const unsigned int edge) const
       {
-        std::array<double, max_vertices> d{};
-        if (!distances(polygon, edge, d))
+        if (!(length(edge) > 0.))
           return polygon;
-        const auto end = d.begin() + polygon.n;
+        const std::array<double, max_vertices> d   = sides(polygon, edge);
+        const auto                             end = d.begin() + polygon.n;
         if (std::none_of(d.begin(), end, [](double x) { return x > 0.; }))
           return {};
         if (std::none_of(d.begin(), end, [](double x) { return x < 0.; }))

@@ -43,7 +43,8 @@ namespace demold
     unsigned int             n_segments = 0;
   };
 
-  /// Clips the cells of the slave by those of the master (Sutherland & Hodgman
+  /// Clips the cells of the slave by those of the master, in coordinates
+  /// relative to the slave's centre (Sutherland & Hodgman
   /// 1974, which gives the polygon of Cyrus & Beck without sorting and merging
   /// afterwards).
   ///

@@ -8,11 +8,32 @@ namespace demold
 {
   RigMode rig_mode_by_name(const std::string &name)
   {
-    return name == "equibiaxial"  ? RigMode::equibiaxial :
-           name == "pure shear"   ? RigMode::pure_shear :
-           name == "simple shear" ? RigMode::simple_shear :
-           name == "confined"     ? RigMode::confined :
-                                    RigMode::uniaxial;
+    for (const RigMode mode : {RigMode::equibiaxial,
+                               RigMode::pure_shear,
+                               RigMode::simple_shear,
+                               RigMode::confined})
+      if (name == name_of(mode))
+        return mode;
+    return RigMode::uniaxial;
+  }
+
+
+
+  std::string name_of(const RigMode mode)
+  {
+    switch (mode)
+      {
+        case RigMode::equibiaxial:
+          return "equibiaxial";
+        case RigMode::pure_shear:
+          return "pure shear";
+        case RigMode::simple_shear:
+          return "simple shear";
+        case RigMode::confined:
+          return "confined";
+        default:
+          return "uniaxial";
+      }
   }
 
 

@@ -23,7 +23,8 @@ namespace demold
   constexpr const char *rig_mode_names =
     "uniaxial|equibiaxial|pure shear|simple shear|confined";
 
-  RigMode rig_mode_by_name(const std::string &name);
+  RigMode     rig_mode_by_name(const std::string &name);
+  std::string name_of(RigMode mode); ///< "pure shear"
 
   /// F = fixed + x driven + l lateral: the driven coordinate x is a stretch or
   /// a shear, the lateral stretch l is that of all free directions.

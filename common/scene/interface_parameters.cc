@@ -40,6 +40,10 @@ namespace demold
                       "of mortar: standard, shaped as the displacements, or "
                       "dual, biorthogonal to them",
                       Patterns::Selection("standard|dual"));
+    prm.add_parameter("condensed",
+                      condensed,
+                      "dual multipliers on a rigid mould are eliminated node "
+                      "by node: the same result from a smaller system");
     prm.add_parameter("quadrature order",
                       quadrature_order,
                       "degree that the points on a mortar segment integrate "
@@ -116,6 +120,7 @@ namespace demold
     result.augmentation     = augmentation;
     result.stiffness        = stiffness;
     result.dual_multipliers = multipliers == "dual";
+    result.condensed        = condensed;
     result.quadrature_order = quadrature_order;
     result.penalty          = penalty;
     result.search_distance  = search_distance;

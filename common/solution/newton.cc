@@ -45,13 +45,11 @@ namespace demold
       // elements are of the order of a millimetre
       round_off =
         weak_form.matrix.linfty_norm() *
-        (1e-14 * norms.extra_scale +
+        (1e-14 * norms.unknowns +
          1e-15 * std::sqrt(static_cast<double>(weak_form.n_unknowns())));
     const double scale = std::max({norms.scale, 1e-4 * largest_force, 1e-300});
-    double       residual = std::max(norms.free - round_off, 0.) / scale;
-    if (weak_form.has_extra_unknowns())
-      residual =
-        std::max(residual, norms.extra / std::max(norms.extra_scale, 1e-300));
+    const double residual =
+      std::max(std::max(norms.free, norms.extra) - round_off, 0.) / scale;
     report.residuals.push_back(residual);
     report.state_changes.push_back(weak_form.n_state_changes());
     if (!std::isfinite(residual))

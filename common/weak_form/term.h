@@ -23,6 +23,7 @@ namespace dealii
 namespace demold
 {
   class Assembler;
+  class CondensedRows;
 
   /// What a term sees when it is evaluated: the trial state at t_{n+1} and the
   /// accepted one at t_n. Both vectors are readable at every unknown the term
@@ -82,7 +83,8 @@ namespace demold
     virtual bool symmetric() const = 0;
 
     /// Ranks that own the extra unknowns of this term (one entry per unknown,
-    /// the same list on every rank). They follow the displacements.
+    /// the same list on every rank). They follow the displacements. Their
+    /// rows are scaled as forces [N]: Newton judges them with these.
     virtual std::vector<unsigned int> extra_unknown_owners() const
     {
       return {};
@@ -116,6 +118,11 @@ namespace demold
     /// the trial state is inadmissible (an element turned inside out); that
     /// ends the increment.
     virtual bool assemble(const Configuration &, Assembler &) = 0;
+
+    /// Replaces rows of the system after all terms have been assembled, where
+    /// the term eliminates unknowns of its own node by node.
+    virtual void condense(const Configuration &, CondensedRows &)
+    {}
 
     /// Interface or material states that differ from the last assembly; the
     /// active set has settled when this is 0. Counts this rank's points.

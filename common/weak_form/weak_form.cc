@@ -3,6 +3,7 @@
 #include "weak_form/weak_form.h"
 
 #include "weak_form/assembler.h"
+#include "weak_form/condensed_rows.h"
 #include "weak_form/vector_io.h"
 
 #include <deal.II/base/mpi.h>
@@ -205,6 +206,15 @@ namespace demold
     residual = inertia;
     residual += interface;
     residual.add(bulk_weight, bulk, 1. - bulk_weight, accepted_bulk);
+    CondensedRows rows(constraints,
+                       residual,
+                       interface,
+                       right_hand_side,
+                       with_tangent ? &matrix : nullptr);
+    for (const auto &term : terms)
+      term->condense(now, rows);
+    for (Vector *v : {&residual, &right_hand_side, &interface})
+      v->compress(VectorOperation::insert);
     force = bulk;
     force += interface;
 
@@ -285,7 +295,7 @@ namespace demold
       std::sqrt(Utilities::MPI::sum(squares[1], space.communicator));
     norms.scale =
       std::max({bulk.l2_norm(), interface.l2_norm(), inertia.l2_norm()});
-    norms.extra_scale = trial.l2_norm();
+    norms.unknowns = trial.l2_norm();
     return norms;
   }
 

@@ -50,10 +50,10 @@ namespace demold
   /// Sizes of the parts of the residual, for convergence tests.
   struct ResidualNorms
   {
-    double free        = 0.; ///< [N] unbalanced force at free unknowns
-    double extra       = 0.; ///< rows of the extra unknowns
-    double scale       = 0.; ///< [N] largest of bulk, interface, inertia
-    double extra_scale = 0.; ///< largest displacement norm [mm]
+    double free     = 0.; ///< [N] unbalanced force at free unknowns
+    double extra    = 0.; ///< [N] rows of the extra unknowns
+    double scale    = 0.; ///< [N] largest of bulk, interface, inertia
+    double unknowns = 0.; ///< norm of all unknowns
   };
 
   class WeakForm

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace demold
 {
@@ -32,6 +34,15 @@ namespace demold
   } // namespace
 
 
+
+  TEST(RigModes, are_found_by_their_names)
+  {
+    std::istringstream names(rig_mode_names);
+    unsigned int       n = 0;
+    for (std::string name; std::getline(names, name, '|'); ++n)
+      EXPECT_EQ(name_of(rig_mode_by_name(name)), name);
+    EXPECT_EQ(n, 5u);
+  }
 
   TEST(RigModes, uniaxial_extension_has_the_values_of_theory_A1)
   {

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Dual multipliers that never enter the system: condensed node by node.
+#include "contact/nodal_force.h"
+#include "mortar/mortar_term.h"
+#include "weak_form/condensed_rows.h"
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+
+namespace demold
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Inverse of a matrix whose rows and columns from @p dim on are zero.
+    Tensor<2, 3> inverse(Tensor<2, 3> a, const unsigned int dim)
+    {
+      for (unsigned int d = dim; d < 3; ++d)
+        a[d][d] = 1.;
+      Tensor<2, 3> result = invert(a);
+      for (unsigned int d = dim; d < 3; ++d)
+        result[d][d] = 0.;
+      return result;
+    }
+  } // namespace
+
+  bool MortarTerm::is_condensed() const
+  {
+    return description.condensed && description.dual_multipliers &&
+           surfaces.master().is_rigid();
+  }
+
+  bool MortarTerm::has_own_rows(const unsigned int own) const
+  {
+    return !shared[own] && !free[own].empty();
+  }
+
+  void MortarTerm::condense(const Configuration &state, CondensedRows &system)
+  {
+    if (!is_condensed())
+      return;
+    Timer timer;
+    for (unsigned int own = 0; own < trial.size(); ++own)
+      if (has_own_rows(own) &&
+          (resolvent.holds(committed[own].law) || is_opposed(state, own)))
+        condense_point(state, system, own);
+    seconds += timer.wall_time();
+  }
+
+  /// With D lambda = f, the force the rest leaves unbalanced, the constraint
+  /// R(u, lambda) = 0 linearises to T K du - dR/du du = R + T lift, where K and
+  /// lift are the rows of the node and T = -dR/dlambda / D.
+  void MortarTerm::condense_point(const Configuration &state,
+                                  CondensedRows       &system,
+                                  const unsigned int   own)
+  {
+    const auto &unknowns = surfaces.node(point(own).node).unknowns;
+    const std::vector<unsigned int> &components = free[own];
+    const PointGap                   gap        = gap_of(own);
+    Assembler::Indices               rows_of_node;
+    found[own] = Tensor<1, 3>();
+    for (const unsigned int d : components)
+      {
+        rows_of_node.push_back(unknowns[d]);
+        found[own][d] = system.residual_of(unknowns[d]) / gap.area;
+      }
+    const ConstraintInput    input    = constraint_input(state, own, gap);
+    const ConstraintResponse response = point_constraint(resolvent,
+                                                         input,
+                                                         committed[own].law,
+                                                         newton_memory[own]);
+
+    const unsigned int     n = components.size();
+    dealii::Vector<double> residual(n);
+    FullMatrix<double>     T(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        residual(i) =
+          -resolvent.penalty * gap.area * response.residual[components[i]];
+        for (unsigned int j = 0; j < n; ++j)
+          T(i, j) = -resolvent.penalty *
+                    response.dtraction[components[i]][components[j]];
+        system.add_force(rows_of_node[i],
+                         -gap.area * input.traction[components[i]]);
+      }
+    NodalUnknowns columns;
+    for (unsigned int l = 0; l < gap.nodes.size(); ++l)
+      columns.add(surfaces.node(gap.nodes[l]), l, surfaces.dim());
+    system.replace(
+      rows_of_node,
+      residual,
+      T,
+      columns.indices,
+      direct_dependence(response, input, gap, columns, components));
+    account(state, own, input, response, gap);
+  }
+
+  /// -dR/du at lambda = f/D, without the part through f, in the rows of
+  /// @p components.
+  FullMatrix<double> MortarTerm::direct_dependence(
+    const ConstraintResponse        &response,
+    const ConstraintInput           &input,
+    const PointGap                  &gap,
+    const NodalUnknowns             &columns,
+    const std::vector<unsigned int> &components) const
+  {
+    FullMatrix<double> result(components.size(), columns.indices.size());
+    for (unsigned int k = 0; k < columns.indices.size(); ++k)
+      {
+        const unsigned int l = columns.entries[k] / 3;
+        const unsigned int d = columns.entries[k] % 3;
+        const Tensor<2, 3> change =
+          gap.area *
+            (response.dgap * gap.dgap[l] + response.dnormal * gap.dnormal[l]) +
+          outer_product(response.residual - response.dtraction * input.traction,
+                        gap.darea[l]);
+        for (unsigned int i = 0; i < components.size(); ++i)
+          result(i, k) = -resolvent.penalty * change[components[i]][d];
+      }
+    return result;
+  }
+
+  void EliminatedMultiplier::restart(const Tensor<1, 3> &lambda)
+  {
+    at      = lambda;
+    offset  = Tensor<1, 3>();
+    columns = {};
+    u.clear();
+    by_u.clear();
+  }
+
+  Tensor<1, 3> EliminatedMultiplier::value(const demold::Vector &now) const
+  {
+    Tensor<1, 3> lambda = at + offset;
+    for (unsigned int k = 0; k < columns.size(); ++k)
+      lambda += (now(columns[k]) - u[k]) * by_u[k];
+    return lambda;
+  }
+
+  /// A point with compliance: R(u, lambda) = 0 is solved for the change of
+  /// lambda, which goes into the rows of its node and is remembered until
+  /// Newton has found the change of u.
+  void MortarTerm::assemble_eliminated(const Configuration &state,
+                                       Assembler           &assembler,
+                                       const unsigned int   own)
+  {
+    const unsigned int    dim         = surfaces.dim();
+    const PointGap        gap         = gap_of(own);
+    EliminatedMultiplier &kept        = eliminated[own];
+    found[own]                        = kept.value(state.u);
+    const ConstraintInput    input    = constraint_input(state, own, gap);
+    const ConstraintResponse response = point_constraint(resolvent,
+                                                         input,
+                                                         committed[own].law,
+                                                         newton_memory[own]);
+    const Tensor<2, 3>       solved   = -1. * inverse(response.dtraction, dim);
+    const Tensor<1, 3>       offset   = solved * response.residual;
+
+    const unsigned int n = gap.nodes.size();
+    const unsigned int place =
+      std::find(gap.nodes.begin(), gap.nodes.end(), point(own).node) -
+      gap.nodes.begin();
+    NodalUnknowns unknowns;
+    for (unsigned int l = 0; l < n; ++l)
+      unknowns.add(surfaces.node(gap.nodes[l]), l, dim);
+    dealii::Vector<double> r(3 * n);
+    FullMatrix<double>     k(3 * n, 3 * n);
+    for (unsigned int i = 0; i < 3; ++i)
+      r(3 * place + i) = -gap.area * (input.traction + offset)[i];
+    std::vector<Tensor<2, 3>> change(n);
+    for (unsigned int l = 0; l < n; ++l)
+      {
+        change[l] =
+          solved *
+          (response.dgap * gap.dgap[l] + response.dnormal * gap.dnormal[l] +
+           outer_product(response.residual, gap.darea[l]) / gap.area);
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            k(3 * place + i, 3 * l + j) =
+              -gap.area * change[l][i][j] -
+              (input.traction + offset)[i] * gap.darea[l][j];
+      }
+    if (assembler.with_tangent())
+      kept.remember(input.traction, offset, unknowns, change, state.u);
+    add_forces(assembler, unknowns, 1., r, k);
+    account(state, own, input, response, gap);
+  }
+
+  void EliminatedMultiplier::remember(const Tensor<1, 3>  &lambda,
+                                      const Tensor<1, 3>  &new_offset,
+                                      const NodalUnknowns &unknowns,
+                                      const std::vector<Tensor<2, 3>> &change,
+                                      const demold::Vector            &now)
+  {
+    at      = lambda;
+    offset  = new_offset;
+    columns = unknowns.indices;
+    u.clear();
+    by_u.clear();
+    for (unsigned int k = 0; k < columns.size(); ++k)
+      {
+        u.push_back(now(columns[k]));
+        Tensor<1, 3> column;
+        for (unsigned int i = 0; i < 3; ++i)
+          column[i] =
+            change[unknowns.entries[k] / 3][i][unknowns.entries[k] % 3];
+        by_u.push_back(column);
+      }
+  }
+} // namespace demold
