@@ -22,6 +22,7 @@
 #include "geometry/boundary_names.h"
 #include "geometry/mesh_file.h"
 #include "geometry/tread_block.h"
+#include "material/elastic_rubber.h"
 #include "material/ply_parameters.h"
 #include "scene/pull.h"
 #include "scene/simulation.h"
@@ -120,11 +121,7 @@ namespace
   {
     if (kind == "belt plies")
       return belt.law(layer, dim);
-    const double G =
-      3. * base_bulk * base_modulus / (9. * base_bulk - base_modulus);
-    RubberLaw law;
-    law.elastic = MooneyRivlin{base_bulk - 2. / 3. * G, G, 0.};
-    return law;
+    return elastic_rubber(base_modulus, base_bulk);
   }
 
   template <int dim>

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "geometry/boundary_names.h"
 #include "geometry/mesh_check.h"
@@ -44,6 +45,35 @@ namespace demold
       return axis;
     }
 
+    /// Shifts the points inside a grid at random, in the order it is asked.
+    template <int dim>
+    struct InnerShift
+    {
+      std::array<GridAxis, dim> axes;
+      double                    largest; ///< over the element size
+      std::mt19937              random = std::mt19937(1);
+
+      Point<dim> operator()(const Point<dim> &p)
+      {
+        if (largest == 0.)
+          return p;
+        std::array<double, dim> element;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const auto &lines = axes[d].lines;
+            const auto  i = std::lower_bound(lines.begin(), lines.end(), p[d]);
+            if (i == lines.begin() || i + 1 == lines.end())
+              return p;
+            element[d] = std::min(*i - *(i - 1), *(i + 1) - *i);
+          }
+        Point<dim> shifted = p;
+        for (unsigned int d = 0; d < dim; ++d)
+          shifted[d] +=
+            largest * element[d] * (2. * random() / random.max() - 1.);
+        return shifted;
+      }
+    };
+
     template <int dim>
     StructuredGrid<dim> box_grid(const Box<dim> &box)
     {
@@ -53,8 +83,11 @@ namespace demold
                                       box.size[d],
                                       box.cells[d],
                                       box.grading[d]);
-      grid.keep    = [](const CellIndex<dim> &) { return true; };
-      grid.map     = [](const Point<dim> &p) { return p; };
+      grid.keep = [](const CellIndex<dim> &) { return true; };
+      grid.map  = [shift = InnerShift<dim>{grid.axes, box.irregularity},
+                  map   = box.map](const Point<dim> &p) mutable {
+        return map ? map(shift(p)) : shift(p);
+      };
       grid.face_id = [](const CellIndex<dim> &, const unsigned int face) {
         const unsigned int d = face / 2, side = face % 2;
         if (d == dim - 1)
@@ -101,6 +134,48 @@ namespace demold
       const double angle = p[0] * half_angle;
       return {std::sin(angle), (p[1] - 1) * std::cos(angle)};
     }
+
+    StructuredGrid<2> half_cylinder_grid(const HalfCylinder &body)
+    {
+      const bool is_disc = (body.half_angle == 90);
+      AssertThrow(is_disc || (body.half_angle > 0 && body.half_angle <= 75),
+                  ExcMessage(
+                    "The half angle must be 90 or in (0, 75] degree."));
+      AssertThrow(body.fine_size > 0 && body.fine_size <= body.far_size &&
+                    body.growth > 1 && body.fine_width > 0,
+                  ExcMessage(
+                    "Fine cells must be positive and at most far_size, "
+                    "the growth above 1."));
+      const double R     = body.radius;
+      const double angle = body.half_angle * numbers::PI / 180;
+
+      StructuredGrid<2> grid;
+      // At the lowest point a step dx of the half square is R dx / sqrt(2)
+      // long.
+      grid.axes[0] =
+        axis_from_fine_end(body, 0, 1, is_disc ? R / std::sqrt(2.) : R * angle);
+      grid.axes[1] = axis_from_fine_end(body, is_disc ? -1 : 0, 1, R);
+      if (!body.right_half)
+        grid.axes[0] = mirrored(grid.axes[0]);
+
+      grid.keep = [](const CellIndex<2> &) { return true; };
+      grid.map  = [=](const Point<2> &p) {
+        const Point<2> unit =
+          is_disc ? on_half_disc(p) : on_curved_bar(p, angle);
+        return Point<2>(body.lowest[0] + R * unit[0],
+                        body.lowest[1] + R * (1 + unit[1]));
+      };
+      grid.face_id = [=](const CellIndex<2> &, const unsigned int face) {
+        if (face == 3)
+          return Boundary::top;
+        if (face == 0 && body.right_half)
+          return Boundary::symmetry_x;
+        if (face == 2 || is_disc)
+          return Boundary::bottom;
+        return face == 0 ? Boundary::left : Boundary::right;
+      };
+      return grid;
+    }
   } // namespace
 
   template <int dim>
@@ -109,6 +184,7 @@ namespace demold
     GridCells<dim> cells;
     append_grid(cells, box_grid(box), box.material_id);
     create_triangulation(cells, triangulation);
+    check_cells(triangulation, "box");
   }
 
   template <int dim>
@@ -120,49 +196,27 @@ namespace demold
     append_grid(cells, box_grid(upper), 0);
     append_grid(cells, box_grid(lower), 1, Boundary::base_offset);
     create_triangulation(cells, triangulation);
+    check_cells(triangulation, "two boxes");
   }
 
   void make_half_cylinder(const HalfCylinder  &body,
                           Triangulation<2, 2> &triangulation)
   {
-    const bool is_disc = (body.half_angle == 90);
-    AssertThrow(is_disc || (body.half_angle > 0 && body.half_angle <= 75),
-                ExcMessage("The half angle must be 90 or in (0, 75] degree."));
-    AssertThrow(body.fine_size > 0 && body.fine_size <= body.far_size &&
-                  body.growth > 1 && body.fine_width > 0,
-                ExcMessage("Fine cells must be positive and at most far_size, "
-                           "the growth above 1."));
-    const double R     = body.radius;
-    const double angle = body.half_angle * numbers::PI / 180;
-
-    StructuredGrid<2> grid;
-    // At the lowest point a step dx of the half square is R dx / sqrt(2) long.
-    grid.axes[0] =
-      axis_from_fine_end(body, 0, 1, is_disc ? R / std::sqrt(2.) : R * angle);
-    grid.axes[1] = axis_from_fine_end(body, is_disc ? -1 : 0, 1, R);
-    if (!body.right_half)
-      grid.axes[0] = mirrored(grid.axes[0]);
-
-    grid.keep = [](const CellIndex<2> &) { return true; };
-    grid.map  = [=](const Point<2> &p) {
-      const Point<2> unit = is_disc ? on_half_disc(p) : on_curved_bar(p, angle);
-      return Point<2>(body.lowest[0] + R * unit[0],
-                      body.lowest[1] + R * (1 + unit[1]));
-    };
-    grid.face_id = [=](const CellIndex<2> &, const unsigned int face) {
-      if (face == 3)
-        return Boundary::top;
-      if (face == 0 && body.right_half)
-        return Boundary::symmetry_x;
-      if (face == 2 || is_disc)
-        return Boundary::bottom;
-      return face == 0 ? Boundary::left : Boundary::right;
-    };
-
     GridCells<2> cells;
-    append_grid(cells, grid);
+    append_grid(cells, half_cylinder_grid(body));
     create_triangulation(cells, triangulation);
     check_cells(triangulation, "half cylinder");
+  }
+
+  void make_half_cylinder_on_box(const HalfCylinder  &upper,
+                                 const Box<2>        &lower,
+                                 Triangulation<2, 2> &triangulation)
+  {
+    GridCells<2> cells;
+    append_grid(cells, half_cylinder_grid(upper));
+    append_grid(cells, box_grid(lower), 1, Boundary::base_offset);
+    create_triangulation(cells, triangulation);
+    check_cells(triangulation, "half cylinder on a box");
   }
 
   template void make_box(const Box<2> &, Triangulation<2, 2> &);

@@ -6,6 +6,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "geometry/rigid_surface.h"
@@ -33,6 +34,11 @@ namespace demold
     /// between grow geometrically.
     std::array<double, dim> grading     = ones();
     unsigned int            material_id = 0;
+    /// Largest shift of a node inside the box per direction, over the smaller
+    /// element beside it [-], < 0.5. At random, but the same every time.
+    double irregularity = 0.;
+    /// Where a point of the box goes in the end; empty: it stays.
+    std::function<dealii::Point<dim>(const dealii::Point<dim> &)> map;
 
     static std::array<double, dim> ones()
     {
@@ -78,6 +84,11 @@ namespace demold
 
   void make_half_cylinder(const HalfCylinder          &body,
                           dealii::Triangulation<2, 2> &triangulation);
+
+  /// The same above a box; ids of both as in make_two_boxes().
+  void make_half_cylinder_on_box(const HalfCylinder          &upper,
+                                 const Box<2>                &lower,
+                                 dealii::Triangulation<2, 2> &triangulation);
 
   /// A rigid ground or indenter: a polyline in the x-y plane; in 3-D it is
   /// drawn in x-z and extruded along y. Walking along the polyline the metal

@@ -3,11 +3,16 @@
 #include "scene/body_entries.h"
 
 #include "base/parameter_error.h"
+#include "material/elastic_rubber.h"
+#include "scene/expression.h"
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
 #include <deal.II/grid/tria.h>
+
+#include <functional>
+#include <memory>
 
 namespace demold
 {
@@ -39,6 +44,26 @@ namespace demold
                         cylinder.right_half,
                         "only x >= 0 is meshed");
     }
+    /// Raises points by @p formula at the height @p full, less and less towards
+    /// the height @p none.
+    template <int dim>
+    std::function<Point<dim>(const Point<dim> &)>
+    raised(const std::string &formula, const double full, const double none)
+    {
+      const auto height =
+        std::make_shared<Expression>(formula, "Base/interface");
+      return [=](const Point<dim> &p) {
+        Point<dim> q = p;
+        q[dim - 1] += (*height)(0., Point<3>(p[0], dim == 3 ? p[1] : 0., 0.)) *
+                      (p[dim - 1] - none) / (full - none);
+        return q;
+      };
+    }
+
+    bool is_of_base(const Boundary::Id id)
+    {
+      return id >= Boundary::base_offset;
+    }
   } // namespace
 
   void BodyEntries::add_parameters(ParameterHandler &prm)
@@ -60,6 +85,19 @@ namespace demold
                       has_base,
                       "a second, deformable body below, touched at its top");
     base.add_parameters(prm);
+    prm.add_parameter("interface",
+                      interface,
+                      "height of the surface in which body and base meet over "
+                      "its plane, formula in x, y [mm]");
+    prm.add_parameter("modulus",
+                      base_modulus,
+                      "E Young's modulus of the base, elastic; 0: of the "
+                      "rubber of the body [MPa]",
+                      Patterns::Double(0.));
+    prm.add_parameter("bulk modulus",
+                      base_bulk,
+                      "K of the base, if it has a modulus [MPa]",
+                      Patterns::Double(1e-6));
     prm.leave_subsection();
   }
 
@@ -67,9 +105,40 @@ namespace demold
   void BodyEntries::check() const
   {
     if (shape == "box")
-      body.box<dim>("Body", 0);
-    if (has_base)
-      base.box<dim>("Base", 1);
+      upper<dim>();
+    if (!has_base)
+      return;
+    lower<dim>();
+    if (shape != "box" && interface != "0")
+      throw ExcParameter("Base/interface",
+                         "must be 0 below a half cylinder; got " + interface +
+                           ".");
+    if (!(3. * base_bulk > base_modulus))
+      throw ExcParameter("Base/bulk modulus",
+                         "must exceed a third of Base/modulus = " +
+                           std::to_string(base_modulus) + " MPa; got " +
+                           std::to_string(base_bulk) +
+                           " MPa. Rubber has 10 to 1000 times its modulus.");
+  }
+
+  template <int dim>
+  Box<dim> BodyEntries::upper() const
+  {
+    Box<dim>     box   = body.box<dim>("Body", 0);
+    const double level = box.lower_corner[dim - 1];
+    if (has_base && interface != "0")
+      box.map = raised<dim>(interface, level, level + box.size[dim - 1]);
+    return box;
+  }
+
+  template <int dim>
+  Box<dim> BodyEntries::lower() const
+  {
+    Box<dim>     box   = base.box<dim>("Base", 1);
+    const double level = box.lower_corner[dim - 1];
+    if (interface != "0")
+      box.map = raised<dim>(interface, level + box.size[dim - 1], level);
+    return box;
   }
 
   template <int dim>
@@ -78,18 +147,21 @@ namespace demold
     if (shape == "half cylinder")
       {
         if constexpr (dim == 2)
-          make_half_cylinder(cylinder, triangulation);
+          {
+            if (has_base)
+              make_half_cylinder_on_box(cylinder, lower<2>(), triangulation);
+            else
+              make_half_cylinder(cylinder, triangulation);
+          }
         else
           throw ExcParameter("Body/shape",
                              "half cylinder needs dimension = 2 or "
                              "axisymmetric; got 3.");
       }
     else if (has_base)
-      make_two_boxes<dim>(body.box<dim>("Body", 0),
-                          base.box<dim>("Base", 1),
-                          triangulation);
+      make_two_boxes<dim>(upper<dim>(), lower<dim>(), triangulation);
     else
-      make_box<dim>(body.box<dim>("Body", 0), triangulation);
+      make_box<dim>(upper<dim>(), triangulation);
   }
 
   template <int dim>
@@ -104,7 +176,29 @@ namespace demold
     std::set<Boundary::Id> result;
     for (const auto &name : Utilities::split_string_list(slave, ','))
       result.insert(boundary_id(name, "Body/slave"));
+    for (const Boundary::Id id : result)
+      if (is_of_base(id) != is_of_base(*result.begin()) ||
+          (is_of_base(id) && !has_base))
+        throw ExcParameter("Body/slave",
+                           "must name boundaries of one body that is there; "
+                           "got " +
+                             slave + (has_base ? "." : " without a base."));
     return result;
+  }
+
+  std::set<Boundary::Id> BodyEntries::master_boundaries() const
+  {
+    const auto slaves = slave_boundaries();
+    if (!slaves.empty() && is_of_base(*slaves.begin()))
+      return {Boundary::bottom};
+    return {Boundary::base_top};
+  }
+
+  std::map<types::material_id, RubberLaw> BodyEntries::laws() const
+  {
+    if (!has_base || base_modulus == 0.)
+      return {};
+    return {{1, elastic_rubber(base_modulus, base_bulk)}};
   }
 
   template void   BodyEntries::check<2>() const;

@@ -4,8 +4,12 @@
 #define demold_scene_body_entries_h
 
 #include "geometry/boundary_names.h"
+#include "material/rubber_law.h"
 #include "scene/box_entries.h"
 
+#include <deal.II/base/types.h>
+
+#include <map>
 #include <set>
 #include <string>
 
@@ -27,6 +31,9 @@ namespace demold
     std::string  slave    = "bottom"; ///< boundaries that may touch
     bool         has_base = false;
     BoxEntries   base{"-2, -4, -4", "14, 4, 4", "11, 3, 3"};
+    std::string  interface    = "0"; ///< height over its plane, formula [mm]
+    double       base_modulus = 0.;  ///< E [MPa]; 0: rubber of the body
+    double       base_bulk    = 50.; ///< K [MPa]
 
     void add_parameters(dealii::ParameterHandler &prm);
 
@@ -43,6 +50,20 @@ namespace demold
     double height() const;
 
     std::set<Boundary::Id> slave_boundaries() const;
+
+    /// What they touch if there is a base: its top, or, for slaves of the
+    /// base, the bottom of the body.
+    std::set<Boundary::Id> master_boundaries() const;
+
+    /// Laws by material id of what is not of the rubber of section Material.
+    std::map<dealii::types::material_id, RubberLaw> laws() const;
+
+  private:
+    /// Body and base as boxes that meet at the interface.
+    template <int dim>
+    Box<dim> upper() const;
+    template <int dim>
+    Box<dim> lower() const;
   };
 } // namespace demold
 

@@ -50,11 +50,12 @@ namespace demold
     };
     result.supports  = supports.supports<dim>();
     result.tractions = supports.tractions();
+    result.laws      = bodies.laws();
     if (scene.interface.active())
       {
         result.slave = bodies.slave_boundaries();
         if (bodies.has_base)
-          result.master = {Boundary::base_top};
+          result.master = bodies.master_boundaries();
         else if (mould.shape != "none")
           result.mould = mould.surface(dim);
         else

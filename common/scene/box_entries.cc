@@ -17,6 +17,11 @@ namespace demold
     prm.add_parameter("grading",
                       grading,
                       "last over first element size per direction [-]");
+    prm.add_parameter("irregularity",
+                      irregularity,
+                      "largest shift of nodes inside over element size, at "
+                      "random but the same in every run [-]",
+                      dealii::Patterns::Double(0., .45));
   }
 
   template <int dim>
@@ -42,7 +47,8 @@ namespace demold
         result.cells[d]        = static_cast<unsigned int>(n[d]);
         result.grading[d]      = g[d];
       }
-    result.material_id = material;
+    result.material_id  = material;
+    result.irregularity = irregularity;
     return result;
   }
 

@@ -20,7 +20,8 @@ namespace demold
     std::string corner; ///< smallest coordinates [mm]
     std::string size;   ///< [mm]
     std::string cells;  ///< per direction
-    std::string grading = "1, 1, 1";
+    std::string grading      = "1, 1, 1";
+    double      irregularity = 0.; ///< of the nodes inside [-]
 
     /// Into the section that is entered.
     void add_parameters(dealii::ParameterHandler &prm);
