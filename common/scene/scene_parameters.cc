@@ -6,6 +6,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
+
 namespace demold
 {
   using namespace dealii;
@@ -110,6 +112,14 @@ namespace demold
   {
     return material.at(material.f90_is_uniform() ? material.uniform_f90() :
                                                    material.f90_range().second);
+  }
+
+  LinearSolverParameters SceneParameters::linear_solver_of_scene() const
+  {
+    LinearSolverParameters result = linear_solver;
+    if (interface.is_mortar())
+      result.relative_tolerance = std::min(result.relative_tolerance, 1e-4);
+    return result;
   }
 
   int SceneParameters::dim() const

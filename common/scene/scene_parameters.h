@@ -53,6 +53,10 @@ namespace demold
     /// The rubber in its uniform state of cure, else in the hardest.
     RubberLaw typical_law() const;
 
+    /// Section Solver, linear part. Rows of condensed multipliers mix forces
+    /// with gaps: loosely solved they would set the wrong points free.
+    LinearSolverParameters linear_solver_of_scene() const;
+
     /// 2 or 3.
     int        dim() const;
     PlaneModel plane() const;

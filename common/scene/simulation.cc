@@ -33,7 +33,7 @@ namespace demold
         , parameters(parameters)
         , context(context)
         , communicator(MPI_COMM_WORLD)
-        , linear_solver(parameters.linear_solver, communicator)
+        , linear_solver(parameters.linear_solver_of_scene(), communicator)
         , newton(make_nonlinear_solver(parameters.newton, linear_solver))
         , recorder(context, has_interface(scene, parameters))
       {}
