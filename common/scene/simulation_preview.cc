@@ -64,6 +64,9 @@ namespace demold
       std::ostringstream text;
       text << "  contact     "
            << (scene.slave.empty() ? "none" : interface.formulation)
+           << (interface.is_mortar() && !scene.slave.empty() ?
+                 ", " + interface.multipliers + " multipliers" :
+                 "")
            << (scene.mould ?
                  ", rigid mould of " +
                    std::to_string(scene.mould->facets.size()) + " facets" :
