@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What a scene switches off costs nothing: no history, no CPU time.
+#include "contact/node_to_segment.h"
 #include "scene/scene_strategy.h"
 #include "solid/finite_strain_solid.h"
 #include "test_rubber.h"
