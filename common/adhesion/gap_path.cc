@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace demold
 {
@@ -25,6 +24,44 @@ namespace demold
       const Tensor<1, 3> gap = path.start + fraction * (path.end - path.start);
       const double       opening = gap * path.normal;
       return {std::max(opening, 0.), gap - opening * path.normal};
+    }
+
+
+
+    // Integral over fractions between which g_N keeps its sign: there the
+    // effective gap squared is A ((x - x_0)^2 + w^2). With x = x_0 + w sinh u
+    // modes turn by pi over about two units of u, however near the path comes
+    // to no gap at all.
+    template <typename Rate>
+    double integral(const GapPath &path,
+                    const Rate    &rate,
+                    const double   from,
+                    const double   to)
+    {
+      const double middle = 0.5 * (from + to);
+      const double A      = path.curvature(middle);
+      if (!(to > from) || A <= 0.)
+        return 0.;
+      const double away = 0.5 * path.effective_squared_rate(middle) / A;
+      const double x_0  = middle - away;
+      const double w =
+        std::max(std::sqrt(
+                   std::max(path.effective_squared(middle) / A - away * away,
+                            0.)),
+                 1e-8 * (to - from));
+      const double first  = std::asinh((from - x_0) / w);
+      const double last   = std::asinh((to - x_0) / w);
+      const double pieces = std::ceil((last - first) / 2.);
+      const double width  = (last - first) / pieces;
+      double       sum    = 0.;
+      for (double piece = 0.; piece < pieces; ++piece)
+        sum += boost::math::quadrature::gauss<double, 15>::integrate(
+          [&](const double u) {
+            return rate(x_0 + w * std::sinh(u)) * w * std::cosh(u);
+          },
+          first + piece * width,
+          first + (piece + 1.) * width);
+      return sum;
     }
   } // namespace
 
@@ -46,6 +83,18 @@ namespace demold
     const double       opening  = step * normal;
     const double       slipping = at.slip * step;
     return 2. * (at.opening * opening + factors.b * factors.b * slipping);
+  }
+
+
+
+  double GapPath::curvature(const double fraction) const
+  {
+    const Components   at      = components(*this, fraction);
+    const Tensor<1, 3> step    = end - start;
+    const double       opening = step * normal;
+    const Tensor<1, 3> slip    = step - opening * normal;
+    return (at.opening > 0. ? opening * opening : 0.) +
+           factors.b * factors.b * slip.norm_square();
   }
 
 
@@ -107,13 +156,8 @@ namespace demold
         const double end     = path.end * path.normal;
         const double closing = start * end < 0. ? start / (start - end) : first;
         const double middle  = std::clamp(closing, first, last);
-        using Gauss          = boost::math::quadrature::gauss<double, 15>;
-        double change        = 0.;
-        for (const auto &[from, to] :
-             {std::pair(first, middle), std::pair(middle, last)})
-          if (to > from)
-            change += Gauss::integrate(rate, from, to);
-        return ratio * lost + change;
+        return ratio * lost + integral(path, rate, first, middle) +
+               integral(path, rate, middle, last);
       },
       softening);
   }

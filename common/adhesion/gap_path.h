@@ -23,6 +23,8 @@ namespace demold
     double effective_squared(const double fraction) const;
     /// d(effective gap squared)/d(fraction) [mm^2].
     double effective_squared_rate(const double fraction) const;
+    /// Half of its second derivative [mm^2], constant while g_N keeps its sign.
+    double curvature(const double fraction) const;
     /// rho = (<g_N>^2 + a |g_T|^2)/effective gap^2 [-], 1 where a = b^2.
     double mode_ratio(const double fraction) const;
     /// Fraction from which on the effective gap exceeds @p kappa [mm]: there
@@ -33,7 +35,8 @@ namespace demold
   /// Integral of -k'(kappa)/2 (<g_N>^2 + a |g_T|^2) dkappa = integral of
   /// rho dD(kappa) over the loading part of the path [mJ/mm^2], theory C.2:
   /// rho(end) Delta D by closed form, exact on proportional paths, and
-  /// integral of (rho - rho(end)) dD by Gauss quadrature. With it
+  /// integral of (rho - rho(end)) dD by Gauss quadrature that follows the
+  /// modes as they turn where the gap is least. With it
   /// integral of t.dg = Delta stored + dissipated along the path for every
   /// mixing. @p kappa_old [mm] is the gap from which on the bond is loaded,
   /// @p lost Delta D [mJ/mm^2], with what is lost at rupture.

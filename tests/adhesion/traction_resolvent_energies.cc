@@ -2,7 +2,7 @@
 // What the point law loses is the work done on it less what it stores.
 #include "resolvent_paths.h"
 
-#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 
 namespace demold
 {
@@ -47,17 +47,16 @@ namespace demold
                                    crossing(kappa_old),
                                    crossing(law.adhesion->rupture_gap()),
                                    1.};
-    double                    sum    = 0.;
-    const unsigned int        pieces = 4;
-    using Gauss = boost::math::quadrature::gauss<double, 30>;
-    for (unsigned int i = 0; i < pieces * (ends.size() - 1); ++i)
-      {
-        const double from  = ends[i / pieces];
-        const double width = (ends[i / pieces + 1] - from) / pieces;
-        const double start = from + (i % pieces) * width;
-        if (width > 0.)
-          sum += Gauss::integrate(power, start, start + width);
-      }
+    double                    sum = 0.;
+    // Adaptive, as modes turn fast where the path comes near no gap at all.
+    for (unsigned int i = 0; i + 1 < ends.size(); ++i)
+      if (ends[i + 1] > ends[i])
+        sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+          power,
+          ends[i],
+          ends[i + 1],
+          8,
+          1e-11);
     return sum;
   }
 
@@ -135,7 +134,7 @@ namespace demold
               work += done;
               ASSERT_NEAR(r.dissipated_increment,
                           done - (r.stored - stored),
-                          1e-10);
+                          1e-15);
               ASSERT_GE(r.dissipated_increment, -1e-16);
               ASSERT_EQ(r.friction_increment, 0.);
               softened += r.bond == AdhesionStatus::decohesion;
@@ -143,7 +142,7 @@ namespace demold
               state  = r.state;
             }
           ASSERT_NEAR(stored, 0., 1e-30);
-          ASSERT_NEAR(state.bond.dissipated, work, 1e-10);
+          ASSERT_NEAR(state.bond.dissipated, work, 1e-14);
         }
     EXPECT_GT(softened, 1000u);
   }
@@ -171,7 +170,7 @@ namespace demold
             EXPECT_NEAR(state.bond.kappa, effective_gap(law, sheared), 1e-13);
             if (steps == 1)
               first = state.bond.dissipated;
-            EXPECT_NEAR(state.bond.dissipated, first, 1e-10);
+            EXPECT_NEAR(state.bond.dissipated, first, 1e-14);
           }
       }
   }
