@@ -27,12 +27,7 @@ namespace
 
   std::string shipped(const std::string &name)
   {
-    return (std::filesystem::path(__FILE__)
-              .parent_path()
-              .parent_path()
-              .parent_path() /
-            "prm" / "step-demold" / "meshes" / name)
-      .string();
+    return DEMOLD_SOURCE_DIR "/prm/step-demold/meshes/" + name;
   }
 
   // A file that lives as long as the object.
