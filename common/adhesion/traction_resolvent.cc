@@ -185,16 +185,10 @@ namespace demold
                                            const double          pressure,
                                            const double time_step) const
   {
+    // Slip and opening are zero since the bond has gone.
     ResolventState next = state;
-    if (!adhesion || !state.bonded)
-      return next;
-    next.bond = adhesion->rested(state.bond, pressure, time_step);
-    if (!holds(state) && holds(next))
-      {
-        next.opening   = 0.;
-        next.slip      = Tensor<1, 3>();
-        next.may_stick = true;
-      }
+    if (adhesion && state.bonded)
+      next.bond = adhesion->rested(state.bond, pressure, time_step);
     return next;
   }
 } // namespace demold
