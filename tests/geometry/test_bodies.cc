@@ -69,6 +69,64 @@ TEST(TwoBoxes, bodies_touch_without_sharing_a_vertex)
     EXPECT_EQ(cell->material_id(), cell->center()[1] > 0 ? 0u : 1u);
 }
 
+TEST(Box, irregular_one_keeps_its_volume_and_its_boundary)
+{
+  Box<3>           box{{0, 0, 0}, {{3, 2, 2}}, {{6, 4, 4}}};
+  Triangulation<3> regular, irregular, again;
+  make_box<3>(box, regular);
+  box.irregularity = 0.2;
+  make_box<3>(box, irregular);
+  make_box<3>(box, again);
+  EXPECT_NEAR(mesh_volume(irregular), 12, 1e-12);
+  const auto &before = regular.get_vertices();
+  const auto &after  = irregular.get_vertices();
+  EXPECT_EQ(after, again.get_vertices());
+  double largest = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      bool inside = true;
+      for (unsigned int d = 0; d < 3; ++d)
+        inside = inside && before[i][d] > 0 && before[i][d] < box.size[d];
+      const Tensor<1, 3> shift = after[i] - before[i];
+      EXPECT_EQ(shift.norm() > 0, inside);
+      for (unsigned int d = 0; d < 3; ++d)
+        largest = std::max(largest, std::abs(shift[d]));
+    }
+  EXPECT_LE(largest, 0.2 * 0.5);
+  EXPECT_GT(largest, 0.5 * 0.2 * 0.5);
+}
+
+TEST(TwoBoxes, meet_in_the_surface_they_are_mapped_to)
+{
+  // The plane y = 0 becomes y = x/10; what is 2 mm away stays.
+  const auto raised = [](const Point<2> &p) {
+    return Point<2>(p[0], p[1] + p[0] / 10 * (1 - std::abs(p[1]) / 2));
+  };
+  Box<2> upper{{0, 0}, {{2, 2}}, {{3, 2}}}, lower{{0, -2}, {{2, 2}}, {{5, 2}}};
+  upper.map = lower.map = raised;
+  Triangulation<2> mesh;
+  make_two_boxes<2>(upper, lower, mesh);
+  EXPECT_NEAR(mesh_volume(mesh), 8, 1e-12);
+  const double slope = std::hypot(2, 0.2);
+  EXPECT_NEAR(boundary_area(mesh, Boundary::bottom), slope, 1e-12);
+  EXPECT_NEAR(boundary_area(mesh, Boundary::base_top), slope, 1e-12);
+  EXPECT_NEAR(boundary_area(mesh, Boundary::top), 2, 1e-12);
+}
+
+TEST(HalfCylinder, lies_on_a_box_without_sharing_a_vertex)
+{
+  HalfCylinder     body;
+  Triangulation<2> alone, both;
+  make_half_cylinder(body, alone);
+  make_half_cylinder_on_box(body, {{-5, -2}, {{10, 2}}, {{5, 2}}}, both);
+  EXPECT_EQ(both.n_active_cells(), alone.n_active_cells() + 10u);
+  EXPECT_EQ(both.n_used_vertices(), alone.n_used_vertices() + 18u);
+  EXPECT_NEAR(boundary_area(both, Boundary::base_top), 10, 1e-12);
+  EXPECT_NEAR(boundary_area(both, Boundary::bottom),
+              boundary_area(alone, Boundary::bottom),
+              1e-12);
+}
+
 TEST(HalfCylinder, area_of_the_half_disc_converges_with_second_order)
 {
   const double exact = pi * 100 / 2;

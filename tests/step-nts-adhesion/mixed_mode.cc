@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // mixed-mode.prm: work of separation over the angle to the normal, of a rigid
 // block and of a sheet of rubber.
-#include "step-nts-adhesion/closed_forms.h"
+#include "step-nts-adhesion/run_nts.h"
 
 #include <gtest/gtest.h>
 

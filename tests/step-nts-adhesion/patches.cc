@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // contact-patch.prm, adhesion-patch.prm: what one-pass node-to-segment contact
 // gets right and what it misses (theory E.10, thesis 5.2.5).
-#include "step-nts-adhesion/closed_forms.h"
+#include "step-nts-adhesion/run_nts.h"
 
 #include <gtest/gtest.h>
 

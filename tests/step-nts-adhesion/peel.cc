@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // peel.prm, peel-30.prm: steady peeling, theory E.3.
-#include "step-nts-adhesion/closed_forms.h"
+#include "step-nts-adhesion/run_nts.h"
 
 #include <gtest/gtest.h>
 

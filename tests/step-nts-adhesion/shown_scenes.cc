@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // press.prm, edge-peel.prm, press-shear-pull.prm: scenes without a closed form
 // must balance forces and energies.
-#include "step-nts-adhesion/closed_forms.h"
+#include "step-nts-adhesion/run_nts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // sliding-block.prm: friction, adhesion and both, theory C.2 and C.3.
-#include "step-nts-adhesion/closed_forms.h"
+#include "step-nts-adhesion/run_nts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Closed forms the scenes are compared with, and the way to run them.
-#ifndef demold_tests_step_nts_adhesion_closed_forms_h
-#define demold_tests_step_nts_adhesion_closed_forms_h
-
-#include "run_scene.h"
+// Closed forms that scenes of one body on a mould or a base are compared with.
+#ifndef demold_tests_closed_forms_h
+#define demold_tests_closed_forms_h
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <functional>
+#include <string>
 
 namespace demold
 {
-  inline SceneRun run_nts(const std::string              &scene,
-                          const std::vector<std::string> &overrides = {})
-  {
-    return run_scene(DEMOLD_STEP_NTS_ADHESION,
-                     DEMOLD_SOURCE_DIR "/prm/step-nts-adhesion/" + scene,
-                     overrides);
-  }
-
   /// A figure for the report of the test, next to its verdict.
   inline void record(const std::string &name, const double value)
   {
