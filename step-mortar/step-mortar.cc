@@ -15,8 +15,7 @@
 //          master: base or mould      node, lambda, that keeps the gap shut.
 //
 // Builds on: step-nts-adhesion, whose scenes it runs again. The lesson of
-// thesis chapters 3.2 and 5.3; intro.md has the equations, results.md what
-// comes out.
+// thesis chapters 3.2 and 5.3; intro.md has the equations.
 
 #include "base/run_step.h"
 #include "scene/body_scene.h"

@@ -43,7 +43,8 @@ namespace demold
     prm.add_parameter("condensed",
                       condensed,
                       "dual multipliers on a rigid mould are eliminated node "
-                      "by node: the same result from a smaller system");
+                      "by node: a smaller system; not for bodies that a dead "
+                      "load presses on, see Limits in README.md");
     prm.add_parameter("quadrature order",
                       quadrature_order,
                       "degree that the points on a mortar segment integrate "

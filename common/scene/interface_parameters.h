@@ -17,7 +17,7 @@ namespace demold
     double             penalty          = 200.; ///< c_N [MPa/mm]
     double             augmentation     = 0.;   ///< c_N of mortar [MPa/mm]
     std::string        multipliers      = "standard"; ///< | dual
-    bool               condensed        = true;
+    bool               condensed        = false;
     unsigned int       quadrature_order = 5;
     double             search_distance  = 1.;  ///< [mm]
     double             friction         = 0.;  ///< mu [-]
