@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Forces and constraint of one multiplier point.
-#include "contact/current_positions.h"
 #include "contact/nodal_force.h"
 #include "mortar/mortar_term.h"
 #include "mortar/point_gap.h"
@@ -121,35 +120,6 @@ namespace demold
             demand[own] = RowDemand::derivatives;
         }
     return demand;
-  }
-
-  /// Does the point have a part of the other surface before it, and is that
-  /// believed? A point closes by coming through the gap: a rigid surface that
-  /// it already was behind at t_n, without touching it, is not (as in
-  /// SurfacePair).
-  bool MortarTerm::is_opposed(const Configuration &state,
-                              const unsigned int   own) const
-  {
-    if (!is_covered(own))
-      return false;
-    if (committed[own].closed || !surfaces.master().is_rigid())
-      return true;
-    const Tensor<1, 3> &n = normals[own].n;
-    const double gap = n * weighted_gap(surfaces, rows[own]) / rows[own].area;
-    if (gap > 0.)
-      return true;
-    const unsigned int node  = point(own).node;
-    const Point<3>     x_old = surfaces.master().carried(
-      state.time - state.dt,
-      current_position(surfaces.node(node), state.u_old, surfaces.dim()));
-    return gap + n * (surfaces.x(node) - x_old) > -.01 * point(own).depth;
-  }
-
-  bool MortarTerm::holds_at_start(const Configuration &state,
-                                  const unsigned int   own) const
-  {
-    return state.iteration == 0 && committed[own].closed &&
-           committed[own].traction.norm_square() == 0.;
   }
 
   PointGap MortarTerm::frozen_gap(const unsigned int own) const

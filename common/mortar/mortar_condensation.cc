@@ -14,6 +14,9 @@ namespace demold
 
   namespace
   {
+    /// Largest change that may be left of an eliminated multiplier, over it.
+    constexpr double eliminated_tolerance = 1e-5;
+
     /// Inverse of a matrix whose rows and columns from @p dim on are zero.
     Tensor<2, 3> inverse(Tensor<2, 3> a, const unsigned int dim)
     {
@@ -34,7 +37,7 @@ namespace demold
 
   bool MortarTerm::has_own_rows(const unsigned int own) const
   {
-    return !shared[own] && !free[own].empty();
+    return !shared[own] && !driven[own] && !free[own].empty();
   }
 
   void MortarTerm::condense(const Configuration &state, CondensedRows &system)
@@ -122,23 +125,6 @@ namespace demold
     return result;
   }
 
-  void EliminatedMultiplier::restart(const Tensor<1, 3> &lambda)
-  {
-    at      = lambda;
-    offset  = Tensor<1, 3>();
-    columns = {};
-    u.clear();
-    by_u.clear();
-  }
-
-  Tensor<1, 3> EliminatedMultiplier::value(const demold::Vector &now) const
-  {
-    Tensor<1, 3> lambda = at + offset;
-    for (unsigned int k = 0; k < columns.size(); ++k)
-      lambda += (now(columns[k]) - u[k]) * by_u[k];
-    return lambda;
-  }
-
   /// A point with compliance: R(u, lambda) = 0 is solved for the change of
   /// lambda, which goes into the rows of its node and is remembered until
   /// Newton has found the change of u.
@@ -186,27 +172,10 @@ namespace demold
       kept.remember(input.traction, offset, unknowns, change, state.u);
     add_forces(assembler, unknowns, 1., r, k);
     account(state, own, input, response, gap);
+    // Newton does not see what goes into the rows of supports.
+    settled =
+      settled && offset.norm() <= eliminated_tolerance *
+                                    (found[own].norm() + offset.norm() + 1e-6);
   }
 
-  void EliminatedMultiplier::remember(const Tensor<1, 3>  &lambda,
-                                      const Tensor<1, 3>  &new_offset,
-                                      const NodalUnknowns &unknowns,
-                                      const std::vector<Tensor<2, 3>> &change,
-                                      const demold::Vector            &now)
-  {
-    at      = lambda;
-    offset  = new_offset;
-    columns = unknowns.indices;
-    u.clear();
-    by_u.clear();
-    for (unsigned int k = 0; k < columns.size(); ++k)
-      {
-        u.push_back(now(columns[k]));
-        Tensor<1, 3> column;
-        for (unsigned int i = 0; i < 3; ++i)
-          column[i] =
-            change[unknowns.entries[k] / 3][i][unknowns.entries[k] % 3];
-        by_u.push_back(column);
-      }
-  }
 } // namespace demold

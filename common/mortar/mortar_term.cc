@@ -2,8 +2,6 @@
 // Life of the mortar term: start, increments, checkpoints.
 #include "mortar/mortar_term.h"
 
-#include "contact/closest_point.h"
-#include "mortar/point_gap.h"
 #include "weak_form/assembler.h"
 
 #include <deal.II/base/timer.h>
@@ -21,10 +19,6 @@ namespace demold
 
   namespace
   {
-    /// A point covered by less than this share of its area has no multiplier
-    /// (theory B.11).
-    constexpr double smallest_cover = .01;
-
     /// Compliances over 1/c_N of multipliers that their constraints alone
     /// leave undetermined. Gaps are wrong by this share of lambda/c_N.
     /// Two patches share an edge node, or the whole face is driven:
@@ -106,6 +100,7 @@ namespace demold
           surfaces.add_slave_nodes(face, around);
         compliance.emplace_back();
         free.emplace_back();
+        driven.push_back(false);
         shared.push_back(points_at_node[point(own).node] > 1);
         for (unsigned int d = 0; d < surfaces.dim(); ++d)
           if (!is_held(surfaces.node(point(own).node).unknowns[d]))
@@ -117,6 +112,7 @@ namespace demold
             };
             const bool all_held =
               std::all_of(around.begin(), around.end(), held);
+            driven[own] = driven[own] || all_held;
             if (held(point(own).node) && !all_held)
               compliance[own][d] = support_compliance;
             else if (all_held || shared[own])
@@ -127,108 +123,6 @@ namespace demold
             compliance[own][d] =
               std::max(compliance[own][d], vanishing_compliance);
         compliance[own] /= resolvent.penalty;
-      }
-  }
-
-  void MortarTerm::start_points()
-  {
-    rows =
-      mortar.rows(std::vector<RowDemand>(committed.size(), RowDemand::values));
-    normals = mortar.normals();
-    for (unsigned int own = 0; own < committed.size(); ++own)
-      {
-        const NodalRow &row = rows[own];
-        if (!is_covered(own))
-          continue;
-        MultiplierHistory &history = committed[own];
-        history.has_gap            = true;
-        history.area               = row.area;
-        history.gap_N = normals[own].n * weighted_gap(surfaces, row) / row.area;
-        history.closed        = history.gap_N <= touching_gap || touches(own);
-        history.law.may_stick = history.closed;
-        const Point<3> &X     = surfaces.x(point(own).node);
-        if (description.adhesion && description.bonded(X) &&
-            std::abs(history.gap_N) <= .5 * description.adhesion->rupture_gap())
-          bond(own);
-      }
-    keep_slip_rows();
-  }
-
-  /// Does the node of the point lie on the other surface?
-  bool MortarTerm::touches(const unsigned int own) const
-  {
-    const Point<3> &x = surfaces.x(point(own).node);
-    for (const unsigned int face : point(own).facets)
-      for (const unsigned int facet : surfaces.opposite(face))
-        {
-          const Projection foot =
-            project(x, surfaces.master().surface.facet_positions(facet));
-          if (foot.found && (x - foot.x).norm() <= touching_gap &&
-              std::abs(foot.xi[0]) <= 1. + inside_tolerance &&
-              std::abs(foot.xi[1]) <= 1. + inside_tolerance)
-            return true;
-        }
-    return false;
-  }
-
-  bool MortarTerm::is_covered(const unsigned int own) const
-  {
-    return rows[own].area > smallest_cover * point(own).area;
-  }
-
-  void MortarTerm::bond(const unsigned int own)
-  {
-    NodalRow           row   = rows[own].values();
-    const Tensor<1, 3> gap   = weighted_gap(surfaces, row) / row.area;
-    const unsigned int facet = nearest_facet(own);
-    if (surfaces.master().is_rigid())
-      {
-        row = slave_side(surfaces, row);
-        frozen[own].anchor =
-          surfaces.master().set_anchor(facet,
-                                       {{0., 0.}},
-                                       slave_point(surfaces, row));
-      }
-    else
-      frozen[own].anchor = surfaces.master().set_anchor(
-        facet,
-        {{0., 0.}},
-        surfaces.master().surface.bound(facet).centre + gap);
-    frozen[own].row              = row;
-    committed[own].law           = resolvent.fresh_bond();
-    committed[own].law.may_stick = committed[own].closed;
-    committed[own].gap           = Tensor<1, 3>();
-    committed[own].number        = static_cast<int>(AdhesionStatus::adhering);
-  }
-
-  unsigned int MortarTerm::nearest_facet(const unsigned int own) const
-  {
-    const Point<3> &x       = surfaces.x(point(own).node);
-    unsigned int    nearest = numbers::invalid_unsigned_int;
-    double          least   = 1e300;
-    for (const unsigned int face : point(own).facets)
-      for (const unsigned int facet : surfaces.opposite(face))
-        {
-          const double distance =
-            (surfaces.master().surface.bound(facet).centre - x).norm();
-          if (distance < least)
-            {
-              least   = distance;
-              nearest = facet;
-            }
-        }
-    return nearest;
-  }
-
-  void MortarTerm::keep_slip_rows()
-  {
-    if (description.friction <= 0.)
-      return;
-    for (unsigned int own = 0; own < committed.size(); ++own)
-      {
-        const bool slides =
-          committed[own].closed && !resolvent.holds(committed[own].law);
-        slip_rows[own] = slides ? rows[own].values() : NodalRow();
       }
   }
 
@@ -330,27 +224,6 @@ namespace demold
     committed_work += now;
     committed_work.stored = stored;
     revert();
-  }
-
-  void MortarTerm::bond_again()
-  {
-    for (unsigned int own = 0; own < committed.size(); ++own)
-      {
-        MultiplierHistory &history = committed[own];
-        if (!history.law.bonded || resolvent.holds(history.law))
-          continue;
-        const double pressure =
-          history.closed ? -history.traction * normals[own].n : 0.;
-        const ResolventState rested =
-          resolvent.rested(history.law, pressure, last_dt);
-        history.law = rested;
-        if (!resolvent.holds(rested))
-          continue;
-        bond(own);
-        history.law.bond        = rested.bond;
-        history.separation_time = -1.;
-        slip_rows[own]          = NodalRow();
-      }
   }
 
   void MortarTerm::revert()

@@ -23,10 +23,11 @@ namespace demold
   ///
   /// Dual multipliers on a rigid mould are condensed: lambda is the force that
   /// the rest of the system leaves unbalanced at the node, over D_AA, and the
-  /// rows of the node become the constraint; components with a support get no
-  /// lambda (theory B.11). Points that share their node with another patch, or
-  /// whose node is held altogether, cannot be treated so: they take a small
-  /// compliance, so that their own constraint gives lambda.
+  /// rows of the node become the constraint; a component with a support, as on
+  /// a plane of symmetry, gets no lambda (theory B.11). Points that share their
+  /// node with another patch, or whose faces are held or driven altogether,
+  /// cannot be treated so: they take a small compliance, so that their own
+  /// constraint gives lambda.
   ///
   /// A point that holds a bond uses the operator frozen at bonding, on the
   /// reference configuration: lambda is a nominal traction. All others use the
@@ -80,8 +81,6 @@ namespace demold
       double lost  = 0.; ///< [mJ] by decohesion in this increment
     };
 
-
-
     /// Unknowns of one point: nodes, then the multiplier.
     class LocalSystem;
 
@@ -107,7 +106,6 @@ namespace demold
                                       const bool with_tangent) const;
     bool                   is_covered(const unsigned int own) const;
     bool is_opposed(const Configuration &, const unsigned int own) const;
-
     bool holds_at_start(const Configuration &, const unsigned int own) const;
     bool touches(const unsigned int own) const;
 
@@ -159,9 +157,10 @@ namespace demold
     std::vector<dealii::Tensor<1, 3>>      compliance; ///< [mm/MPa]
     std::vector<std::vector<unsigned int>> free; ///< components without support
     std::vector<bool>                      shared; ///< node, with another patch
-    std::vector<dealii::Tensor<1, 3>>      found; ///< lambda [MPa] if condensed
-    std::vector<EliminatedMultiplier>      eliminated;
-    dealii::types::global_dof_index        first_multiplier = 0;
+    std::vector<bool> driven; ///< all nodes around, in some component
+    std::vector<dealii::Tensor<1, 3>> found; ///< lambda [MPa] if condensed
+    std::vector<EliminatedMultiplier> eliminated;
+    dealii::types::global_dof_index   first_multiplier = 0;
 
     // One entry per own point.
     std::vector<FrozenRow>         frozen;

@@ -2,6 +2,8 @@
 // The constraint of one multiplier in space: gap = G(augmented traction).
 #include "mortar/point_constraint.h"
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <algorithm>
 
 namespace demold
@@ -10,13 +12,7 @@ namespace demold
 
   namespace
   {
-    Tensor<2, 3> unit()
-    {
-      Tensor<2, 3> one;
-      for (unsigned int i = 0; i < 3; ++i)
-        one[i][i] = 1.;
-      return one;
-    }
+    const Tensor<2, 3> unit = unit_symmetric_tensor<3>();
 
     /// dG/dlambda_hat at a fixed normal.
     Tensor<2, 3> by_traction(const ResolventResponse &law,
@@ -38,7 +34,7 @@ namespace demold
       const Tensor<1, 3> row         = law.dN_dN * augmented -
                                normal_part * (tangential * law.dN_dT) -
                                law.gap_T;
-      return law.gap_N * unit() + outer_product(n, row) +
+      return law.gap_N * unit + outer_product(n, row) +
              outer_product(law.dT_dN, augmented) -
              normal_part * (law.dT_dT * tangential);
     }
@@ -53,8 +49,8 @@ namespace demold
     const double        c_N        = resolvent.penalty;
     const double        c_T        = resolvent.tangential_penalty();
     const Tensor<2, 3>  normal     = outer_product(n, n);
-    const Tensor<2, 3>  tangential = unit() - normal;
-    const Tensor<2, 3>  C          = c_T * unit() + (c_N - c_T) * normal;
+    const Tensor<2, 3>  tangential = unit - normal;
+    const Tensor<2, 3>  C          = c_T * unit + (c_N - c_T) * normal;
     const Tensor<1, 3>  augmented  = input.traction + C * input.gap;
 
     ResolventState turned = old;
@@ -69,7 +65,7 @@ namespace demold
                                      last);
     const Tensor<2, 3> dG = by_traction(response.law, n, tangential);
     response.residual = input.gap - response.law.gap_N * n - response.law.gap_T;
-    response.dgap     = unit() - dG * C;
+    response.dgap     = unit - dG * C;
     response.dtraction = -1. * dG;
     for (unsigned int d = 0; d < 3; ++d)
       {
@@ -77,7 +73,7 @@ namespace demold
         response.dtraction[d][d] -= input.compliance[d];
       }
     const Tensor<2, 3> augmented_by_normal =
-      (c_N - c_T) * ((n * input.gap) * unit() + outer_product(n, input.gap));
+      (c_N - c_T) * ((n * input.gap) * unit + outer_product(n, input.gap));
     response.dnormal = -1. * by_normal(response.law, augmented, n, tangential) -
                        dG * augmented_by_normal +
                        (n * input.old_gap) * response.law.dT_dslip;

@@ -3,6 +3,8 @@
 #include "mortar/point_gap.h"
 
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <algorithm>
 
 namespace demold
@@ -11,13 +13,7 @@ namespace demold
 
   namespace
   {
-    Tensor<2, 3> unit()
-    {
-      Tensor<2, 3> one;
-      for (unsigned int i = 0; i < 3; ++i)
-        one[i][i] = 1.;
-      return one;
-    }
+    const Tensor<2, 3> unit = unit_symmetric_tensor<3>();
 
     /// A gap over the nodes with unknowns of all @p lists, with the derivatives
     /// of the normal.
@@ -58,7 +54,7 @@ namespace demold
                         PointGap             &gap)
     {
       for_each_moving(surfaces, row, gap, [&](const auto l, const auto place) {
-        Tensor<2, 3> change = row.weights[l] * unit();
+        Tensor<2, 3> change = row.weights[l] * unit;
         if (row.has_derivatives)
           {
             for (unsigned int k = 0; k < row.nodes.size(); ++k)
@@ -118,7 +114,7 @@ namespace demold
     PointGap gap = over_nodes(surfaces, normal, {&row.nodes, &normal.nodes});
     gap.area     = row.area;
     gap.gap      = (offset + weighted_gap(surfaces, row)) / row.area;
-    add_derivative(surfaces, row, unit() / row.area, gap);
+    add_derivative(surfaces, row, unit / row.area, gap);
     return gap;
   }
 
@@ -133,7 +129,7 @@ namespace demold
     const Tensor<2, 3>  along  = outer_product(n, n);
     const Tensor<1, 3>  opened = weighted_gap(surfaces, row);
     const bool          slides = !old_row.nodes.empty();
-    const Tensor<2, 3>  across = slides ? unit() - along : Tensor<2, 3>();
+    const Tensor<2, 3>  across = slides ? unit - along : Tensor<2, 3>();
     const Tensor<1, 3>  slid =
       slides ? weighted_gap(surfaces, old_row) - opened : Tensor<1, 3>();
 

@@ -43,8 +43,8 @@ namespace demold
     prm.add_parameter("condensed",
                       condensed,
                       "dual multipliers on a rigid mould are eliminated node "
-                      "by node: a smaller system; not for bodies that a dead "
-                      "load presses on, see Limits in README.md");
+                      "by node: a smaller system; supports on the slave take "
+                      "no traction there, see Limits in README.md");
     prm.add_parameter("quadrature order",
                       quadrature_order,
                       "degree that the points on a mortar segment integrate "

@@ -177,4 +177,23 @@ namespace demold
           << friction;
       }
   }
+
+  TEST(MortarSlidingBlock, rubs_with_mu_times_the_load_however_it_is_solved)
+  {
+    for (const char *condensed : {"true", "false"})
+      {
+        const SceneRun result =
+          run_scene(DEMOLD_STEP_MORTAR,
+                    DEMOLD_SOURCE_DIR "/prm/step-mortar/sliding-block.prm",
+                    {"Adhesion/law=none",
+                     "Contact/multipliers=dual",
+                     std::string("Contact/condensed=") + condensed});
+        const double force = .3 * .1 * 100.; // mu p A [N], pushed by 1 mm
+        EXPECT_EQ(result.status(), "completed") << condensed;
+        EXPECT_NEAR(result.number("force at end [N]"), force, 1e-3 * force);
+        EXPECT_NEAR(result.number("friction dissipation [mJ]"),
+                    force,
+                    1e-3 * force);
+      }
+  }
 } // namespace demold
