@@ -174,6 +174,8 @@ namespace demold
     if (resolvent.holds(committed[own].law))
       input.old_gap = committed[own].gap;
     input.compliance = compliance[own];
+    for (unsigned int d = 0; d < 3; ++d)
+      input.old_gap[d] -= compliance[own][d] * committed[own].traction[d];
     input.is_pressed = holds_at_start(state, own);
     return input;
   }

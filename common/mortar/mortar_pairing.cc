@@ -137,16 +137,25 @@ namespace demold
     return nearest;
   }
 
+  /// Slip counts from the operator of t_n. A point whose bond has just gone
+  /// has none yet: the frozen one served it.
   void MortarTerm::keep_slip_rows()
   {
     if (description.friction <= 0.)
       return;
+    std::vector<RowDemand> demand(committed.size(), RowDemand::nothing);
+    const auto             slides = [&](const unsigned int own) {
+      return committed[own].closed && !resolvent.holds(committed[own].law);
+    };
     for (unsigned int own = 0; own < committed.size(); ++own)
-      {
-        const bool slides =
-          committed[own].closed && !resolvent.holds(committed[own].law);
-        slip_rows[own] = slides ? rows[own].values() : NodalRow();
-      }
+      if (slides(own) && rows[own].nodes.empty())
+        demand[own] = RowDemand::values;
+    const std::vector<NodalRow> missing = mortar.rows(demand);
+    for (unsigned int own = 0; own < committed.size(); ++own)
+      if (demand[own] == RowDemand::values)
+        slip_rows[own] = missing[own];
+      else
+        slip_rows[own] = slides(own) ? rows[own].values() : NodalRow();
   }
 
   void MortarTerm::bond_again()

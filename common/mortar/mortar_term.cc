@@ -22,7 +22,7 @@ namespace demold
     /// Compliances over 1/c_N of multipliers that their constraints alone
     /// leave undetermined. Gaps are wrong by this share of lambda/c_N.
     /// Two patches share an edge node, or the whole face is driven:
-    constexpr double vanishing_compliance = 1e-4;
+    constexpr double vanishing_compliance = 1e-6;
     /// A support holds the node, but not its neighbours: a stiffer bond to a
     /// mould that moves on would tear at them through the multiplier.
     constexpr double support_compliance = 1.;

@@ -51,7 +51,11 @@ namespace demold
     const Tensor<2, 3>  normal     = outer_product(n, n);
     const Tensor<2, 3>  tangential = unit - normal;
     const Tensor<2, 3>  C          = c_T * unit + (c_N - c_T) * normal;
-    const Tensor<1, 3>  augmented  = input.traction + C * input.gap;
+    Tensor<2, 3>        E;
+    for (unsigned int d = 0; d < 3; ++d)
+      E[d][d] = input.compliance[d];
+    const Tensor<1, 3> gap       = input.gap - E * input.traction;
+    const Tensor<1, 3> augmented = input.traction + C * gap;
 
     ResolventState turned = old;
     turned.slip           = tangential * input.old_gap;
@@ -64,16 +68,11 @@ namespace demold
                                      turned,
                                      last);
     const Tensor<2, 3> dG = by_traction(response.law, n, tangential);
-    response.residual = input.gap - response.law.gap_N * n - response.law.gap_T;
-    response.dgap     = unit - dG * C;
-    response.dtraction = -1. * dG;
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        response.residual[d] -= input.compliance[d] * input.traction[d];
-        response.dtraction[d][d] -= input.compliance[d];
-      }
+    response.residual     = gap - response.law.gap_N * n - response.law.gap_T;
+    response.dgap         = unit - dG * C;
+    response.dtraction    = -1. * (dG + response.dgap * E);
     const Tensor<2, 3> augmented_by_normal =
-      (c_N - c_T) * ((n * input.gap) * unit + outer_product(n, input.gap));
+      (c_N - c_T) * ((n * gap) * unit + outer_product(n, gap));
     response.dnormal = -1. * by_normal(response.law, augmented, n, tangential) -
                        dG * augmented_by_normal +
                        (n * input.old_gap) * response.law.dT_dslip;

@@ -16,8 +16,9 @@ namespace demold
     dealii::Tensor<1, 3> normal;   ///< unit, out of the slave
     dealii::Tensor<1, 3> traction; ///< lambda [MPa], tension positive
 
-    /// [mm] gap vector at t_n of a point whose bond holds, else 0; its
-    /// tangential part replaces the slip of the history.
+    /// [mm] gap vector at t_n of a point whose bond holds, else 0, less
+    /// compliance lambda of t_n; its tangential part replaces the slip of the
+    /// history.
     dealii::Tensor<1, 3> old_gap;
 
     /// Pressed whatever the traction says: surfaces that touch at the start
@@ -25,11 +26,12 @@ namespace demold
     bool is_pressed = false;
 
     /// [mm/MPa] by component, where the constraint alone would leave the
-    /// multiplier undetermined, else 0.
+    /// multiplier undetermined, else 0: a spring in series, so that the law
+    /// sees g - compliance lambda.
     dealii::Tensor<1, 3> compliance;
   };
 
-  /// Residual r = g - G(lambda_hat) - compliance lambda [mm] (theory C9) and
+  /// Residual r = g - compliance lambda - G(lambda_hat) [mm] (theory C9) and
   /// its derivatives; vectors are Cartesian.
   struct ConstraintResponse
   {
