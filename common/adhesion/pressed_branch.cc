@@ -121,7 +121,7 @@ namespace demold
     r.dT_dslip             = g.by_start;
     r.bond                 = taken.bond;
     r.contact =
-      g.slides && p.limit > 0. ? ContactStatus::slip : ContactStatus::closed;
+      g.slides && coefficient > 0. ? ContactStatus::slip : ContactStatus::closed;
     if (r.contact == ContactStatus::slip)
       r.slide = g.direction;
     r.utilisation = taken.utilisation;

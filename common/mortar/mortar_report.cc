@@ -54,12 +54,19 @@ namespace demold
     if (law.dissipated_increment > 0.)
       increment.front += gap.area;
     const NodalRow &row = row_of(own);
-    // Pressure that works while the point closes or opens.
+    // Pressure that works while the point closes or opens; what its compliance
+    // takes is stored.
+    const auto unstored = [&](const MultiplierHistory &history) {
+      double gap_N = history.gap_N;
+      for (unsigned int d = 0; d < 3; ++d)
+        gap_N -= input.normal[d] * compliance[own][d] * history.traction[d];
+      return gap_N;
+    };
     if (old.has_gap)
       now.impact += .5 * gap.area *
                     (std::min(0., old.traction * input.normal) +
                      std::min(0., input.traction * input.normal)) *
-                    (point.gap_N - old.gap_N);
+                    (unstored(point) - unstored(old));
     if (surfaces.master().is_rigid())
       now.external +=
         .5 * (old.force() + point.force()) *

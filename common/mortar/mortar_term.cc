@@ -21,11 +21,11 @@ namespace demold
   {
     /// Compliances over 1/c_N of multipliers that their constraints alone
     /// leave undetermined. Gaps are wrong by this share of lambda/c_N.
-    /// Two patches share an edge node, or the whole face is driven:
     constexpr double vanishing_compliance = 1e-6;
-    /// A support holds the node, but not its neighbours: a stiffer bond to a
-    /// mould that moves on would tear at them through the multiplier.
-    constexpr double support_compliance = 1.;
+    /// A standard multiplier acts on the nodes around its own too. Where its
+    /// node has a support or another multiplier, and they have not, constraints
+    /// outnumber displacements: a stiffer one would tear at the neighbours.
+    constexpr double neighbour_compliance = 1.;
 
     PairOptions pair_options(const InterfaceDescription &description)
     {
@@ -113,10 +113,12 @@ namespace demold
             const bool all_held =
               std::all_of(around.begin(), around.end(), held);
             driven[own] = driven[own] || all_held;
-            if (held(point(own).node) && !all_held)
-              compliance[own][d] = support_compliance;
-            else if (all_held || shared[own])
+            if (all_held)
               compliance[own][d] = vanishing_compliance;
+            else if (held(point(own).node) || shared[own])
+              compliance[own][d] = description.dual_multipliers ?
+                                     vanishing_compliance :
+                                     neighbour_compliance;
           }
         if (is_condensed() && !has_own_rows(own))
           for (unsigned int d = 0; d < surfaces.dim(); ++d)
