@@ -25,21 +25,28 @@ namespace demold
     }
   } // namespace
 
-  /// The unknowns of one point, nodes first, and residual and tangent over
-  /// them with three entries per node and three for the multiplier.
+  /// The unknowns of one point and residual and tangent over them: three
+  /// entries per node, then three for the multiplier and for each of those that
+  /// it leans on.
   class MortarTerm::LocalSystem
   {
   public:
-    LocalSystem(const std::vector<unsigned int> &nodes)
+    LocalSystem(const std::vector<unsigned int> &nodes,
+                const unsigned int               n_others = 0)
       : nodes(nodes)
       , multiplier(nodes.size())
-      , R(3 * nodes.size() + 3)
-      , K(3 * nodes.size() + 3, 3 * nodes.size() + 3)
+      , R(3 * (nodes.size() + 1 + n_others))
+      , K(R.size(), R.size())
     {}
 
     unsigned int position(const unsigned int node) const
     {
       return std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
+    }
+
+    unsigned int n_others() const
+    {
+      return R.size() / 3 - nodes.size() - 1;
     }
 
     void add(const unsigned int row, const Tensor<1, 3> &r)
@@ -94,6 +101,16 @@ namespace demold
     for (unsigned int d = 0; d < surfaces.dim(); ++d)
       lambda[d] = state.u(first_unknown(own) + d);
     return lambda;
+  }
+
+  Tensor<1, 3> MortarTerm::leaned_on(const Configuration &state,
+                                     const unsigned int   own) const
+  {
+    Tensor<1, 3> sum;
+    for (const unsigned int point : leaning[own].points)
+      for (unsigned int d = 0; d < surfaces.dim(); ++d)
+        sum[d] += state.u(first_unknown_of(point) + d);
+    return leaning[own].points.empty() ? sum : leaning[own].share() * sum;
   }
 
   std::vector<RowDemand> MortarTerm::row_demand(const Configuration &state,
@@ -174,8 +191,9 @@ namespace demold
     if (resolvent.holds(committed[own].law))
       input.old_gap = committed[own].gap;
     input.compliance = compliance[own];
+    input.sprung     = input.traction - leaned_on(state, own);
     for (unsigned int d = 0; d < 3; ++d)
-      input.old_gap[d] -= compliance[own][d] * committed[own].traction[d];
+      input.old_gap[d] -= compliance[own][d] * committed[own].sprung[d];
     input.is_pressed = holds_at_start(state, own);
     return input;
   }
@@ -214,24 +232,29 @@ namespace demold
                                                          committed[own].law,
                                                          newton_memory[own]);
 
-    LocalSystem  local(gap.nodes);
-    const double share = resolvent.penalty * gap.area; // theory C9
-    const auto   m     = local.multiplier;
-    local.add(m, share * response.residual);
+    LocalSystem        local(gap.nodes, leaning[own].points.size());
+    const Tensor<2, 3> scaling =
+      row_scaling(response.dgap, resolvent.penalty, stiffness, components);
+    const auto m = local.multiplier;
+    local.add(m, gap.area * (scaling * response.residual));
     for (unsigned int k = 0; k < row.nodes.size(); ++k)
       if (!surfaces.is_rigid(row.nodes[k]))
         local.add(local.position(row.nodes[k]),
                   row.weights[k] * input.traction);
     if (assembler.with_tangent())
       {
-        local.add(m, m, share * response.dtraction);
+        local.add(m, m, gap.area * (scaling * response.dtraction));
         for (unsigned int l = 0; l < gap.nodes.size(); ++l)
           local.add(m,
                     l,
-                    share * (response.dgap * gap.dgap[l] +
-                             response.dnormal * gap.dnormal[l]) +
-                      resolvent.penalty *
-                        outer_product(response.residual, gap.darea[l]));
+                    scaling * (gap.area * (response.dgap * gap.dgap[l] +
+                                           response.dnormal * gap.dnormal[l]) +
+                               outer_product(response.residual, gap.darea[l])));
+        for (unsigned int i = 0; i < leaning[own].points.size(); ++i)
+          local.add(m,
+                    m + 1 + i,
+                    gap.area * (scaling * (-1. * response.dsprung) *
+                                leaning[own].share()));
         add_force_tangent(row, input.traction, local);
       }
     insert(assembler, own, local);
@@ -272,6 +295,13 @@ namespace demold
         unknowns.indices.push_back(first_unknown(own) + d);
         unknowns.entries.push_back(3 * local.multiplier + d);
       }
+    for (unsigned int i = 0; i < local.n_others(); ++i)
+      for (unsigned int d = 0; d < surfaces.dim(); ++d)
+        {
+          unknowns.indices.push_back(first_unknown_of(leaning[own].points[i]) +
+                                     d);
+          unknowns.entries.push_back(3 * (local.multiplier + 1 + i) + d);
+        }
     add_forces(assembler, unknowns, 1., local.R, local.K);
   }
 } // namespace demold

@@ -75,16 +75,18 @@ namespace demold
                                                          committed[own].law,
                                                          newton_memory[own]);
 
-    const unsigned int     n = components.size();
+    const unsigned int n = components.size();
+    const Tensor<2, 3> scaling =
+      row_scaling(response.dgap, resolvent.penalty, stiffness, components);
+    const Tensor<1, 3>     scaled  = scaling * response.residual;
+    const Tensor<2, 3>     dscaled = scaling * response.dtraction;
     dealii::Vector<double> residual(n);
     FullMatrix<double>     T(n, n);
     for (unsigned int i = 0; i < n; ++i)
       {
-        residual(i) =
-          -resolvent.penalty * gap.area * response.residual[components[i]];
+        residual(i) = -gap.area * scaled[components[i]];
         for (unsigned int j = 0; j < n; ++j)
-          T(i, j) = -resolvent.penalty *
-                    response.dtraction[components[i]][components[j]];
+          T(i, j) = -dscaled[components[i]][components[j]];
         system.add_force(rows_of_node[i],
                          -gap.area * input.traction[components[i]]);
       }
@@ -96,7 +98,7 @@ namespace demold
       residual,
       T,
       columns.indices,
-      direct_dependence(response, input, gap, columns, components));
+      direct_dependence(response, scaling, input, gap, columns, components));
     account(state, own, input, response, gap);
   }
 
@@ -104,6 +106,7 @@ namespace demold
   /// @p components.
   FullMatrix<double> MortarTerm::direct_dependence(
     const ConstraintResponse        &response,
+    const Tensor<2, 3>              &scaling,
     const ConstraintInput           &input,
     const PointGap                  &gap,
     const NodalUnknowns             &columns,
@@ -119,8 +122,9 @@ namespace demold
             (response.dgap * gap.dgap[l] + response.dnormal * gap.dnormal[l]) +
           outer_product(response.residual - response.dtraction * input.traction,
                         gap.darea[l]);
+        const Tensor<2, 3> scaled = scaling * change;
         for (unsigned int i = 0; i < components.size(); ++i)
-          result(i, k) = -resolvent.penalty * change[components[i]][d];
+          result(i, k) = -scaled[components[i]][d];
       }
     return result;
   }

@@ -39,6 +39,7 @@ namespace demold
     point.gap      = gap.gap;
     point.gap_N    = gap.gap * input.normal;
     point.traction = input.traction;
+    point.sprung   = input.sprung;
     point.area     = gap.area;
     if (old.law.bonded && !resolvent.holds(law.state) &&
         point.separation_time < 0.)
@@ -48,7 +49,7 @@ namespace demold
     now.stored += gap.area * law.stored;
     for (unsigned int d = 0; d < 3; ++d)
       now.stored +=
-        .5 * gap.area * compliance[own][d] * std::pow(input.traction[d], 2);
+        .5 * gap.area * compliance[own][d] * std::pow(input.sprung[d], 2);
     now.friction += gap.area * law.friction_increment;
     increment.lost += gap.area * law.dissipated_increment;
     if (law.dissipated_increment > 0.)
@@ -59,7 +60,7 @@ namespace demold
     const auto unstored = [&](const MultiplierHistory &history) {
       double gap_N = history.gap_N;
       for (unsigned int d = 0; d < 3; ++d)
-        gap_N -= input.normal[d] * compliance[own][d] * history.traction[d];
+        gap_N -= input.normal[d] * compliance[own][d] * history.sprung[d];
       return gap_N;
     };
     if (old.has_gap)

@@ -48,10 +48,9 @@ namespace demold
           resolvent.adhesion->softening =
             rigid_softening(description.adhesion->softening);
         }
-      resolvent.penalty = description.augmentation;
-      if (resolvent.penalty <= 0.) // chosen here, theory C8
-        resolvent.penalty = std::max(2. * resolvent.smallest_penalty(),
-                                     10. * description.stiffness / height);
+      // chosen here, theory C8
+      resolvent.penalty = std::max(2. * resolvent.smallest_penalty(),
+                                   10. * description.stiffness / height);
       return resolvent;
     }
   } // namespace
@@ -72,7 +71,12 @@ namespace demold
                communicator)
     , mortar(surfaces, pair_options(description), description.dual_multipliers)
     , resolvent(make_resolvent(description, surfaces.mean_height()))
+    , stiffness(resolvent.penalty)
+    , components(surfaces.dim() == 2 ? std::vector<unsigned int>{0, 1} :
+                                       std::vector<unsigned int>{0, 1, 2})
   {
+    if (description.augmentation > 0.)
+      resolvent.penalty = description.augmentation;
     const std::size_t n = surfaces.own_points().size();
     committed.resize(n);
     frozen.resize(n);
@@ -99,6 +103,7 @@ namespace demold
         for (const unsigned int face : point(own).facets)
           surfaces.add_slave_nodes(face, around);
         compliance.emplace_back();
+        leaning.emplace_back();
         free.emplace_back();
         driven.push_back(false);
         shared.push_back(points_at_node[point(own).node] > 1);
@@ -119,13 +124,37 @@ namespace demold
               compliance[own][d] = description.dual_multipliers ?
                                      vanishing_compliance :
                                      neighbour_compliance;
+            leaning[own].leans[d] = !description.dual_multipliers &&
+                                    !all_held && !shared[own] &&
+                                    held(point(own).node);
+            if (leaning[own].leans[d])
+              leaning[own].points = neighbours(own);
           }
         if (is_condensed() && !has_own_rows(own))
           for (unsigned int d = 0; d < surfaces.dim(); ++d)
             compliance[own][d] =
               std::max(compliance[own][d], vanishing_compliance);
-        compliance[own] /= resolvent.penalty;
+        compliance[own] /= stiffness;
       }
+  }
+
+  /// Points of the same faces.
+  std::vector<unsigned int> MortarTerm::neighbours(const unsigned int own) const
+  {
+    std::set<unsigned int> points;
+    for (const unsigned int face : point(own).facets)
+      for (unsigned int a = 0; a < surfaces.slave().facet(face).n_nodes; ++a)
+        points.insert(surfaces.point_of(face, a));
+    points.erase(surfaces.own_points()[own]);
+    return {points.begin(), points.end()};
+  }
+
+  Tensor<2, 3> MortarTerm::Leaning::share() const
+  {
+    Tensor<2, 3> result;
+    for (unsigned int d = 0; d < 3; ++d)
+      result[d][d] = leans[d] ? 1. / points.size() : 0.;
+    return result;
   }
 
   std::string MortarTerm::name() const
@@ -159,16 +188,25 @@ namespace demold
   }
 
   types::global_dof_index
-  MortarTerm::first_unknown(const unsigned int own) const
+  MortarTerm::first_unknown_of(const unsigned int point) const
   {
     return first_multiplier +
-           static_cast<types::global_dof_index>(surfaces.dim()) *
-             surfaces.own_points()[own];
+           static_cast<types::global_dof_index>(surfaces.dim()) * point;
+  }
+
+  types::global_dof_index
+  MortarTerm::first_unknown(const unsigned int own) const
+  {
+    return first_unknown_of(surfaces.own_points()[own]);
   }
 
   void MortarTerm::needed_unknowns(IndexSet &set) const
   {
     set.add_indices(surfaces.all_unknowns(set.size()));
+    for (const Leaning &on : leaning)
+      for (const unsigned int point : on.points)
+        set.add_range(first_unknown_of(point),
+                      first_unknown_of(point) + surfaces.dim());
   }
 
   void
@@ -190,7 +228,11 @@ namespace demold
             for (unsigned int d = 0; d < surfaces.dim(); ++d)
               indices.push_back(surfaces.node(node).unknowns[d]);
         for (unsigned int d = 0; !is_condensed() && d < surfaces.dim(); ++d)
-          indices.push_back(first_unknown(own) + d);
+          {
+            indices.push_back(first_unknown(own) + d);
+            for (const unsigned int point : leaning[own].points)
+              indices.push_back(first_unknown_of(point) + d);
+          }
         constraints.add_entries_local_to_global(indices, pattern, false);
       }
   }

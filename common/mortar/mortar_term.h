@@ -81,8 +81,18 @@ namespace demold
       double lost  = 0.; ///< [mJ] by decohesion in this increment
     };
 
-    /// Unknowns of one point: nodes, then the multiplier.
+    /// Unknowns of one point: nodes, then multipliers.
     class LocalSystem;
+
+    /// Standard multipliers whose mean a multiplier takes in the components
+    /// that a support leaves undetermined (theory B.11, cross points), but for
+    /// what strains its compliance.
+    struct Leaning
+    {
+      std::vector<unsigned int> points; ///< of all ranks
+      std::array<bool, 3>       leans = {{false, false, false}};
+      dealii::Tensor<2, 3>      share() const; ///< of one of them
+    };
 
     const SlavePoint &point(const unsigned int own) const
     {
@@ -91,17 +101,22 @@ namespace demold
 
     void find_compliance(
       const std::function<bool(dealii::types::global_dof_index)> &is_held);
-    void         start_points();
-    void         bond(const unsigned int own);
-    void         bond_again();
-    void         keep_slip_rows();
-    unsigned int nearest_facet(const unsigned int own) const;
+    std::vector<unsigned int> neighbours(const unsigned int own) const;
+    void                      start_points();
+    void                      bond(const unsigned int own);
+    void                      bond_again();
+    void                      keep_slip_rows();
+    unsigned int              nearest_facet(const unsigned int own) const;
 
-    /// First unknown of the multiplier.
+    /// First unknown of the multiplier of a point.
+    dealii::types::global_dof_index
+    first_unknown_of(const unsigned int point) const;
     dealii::types::global_dof_index first_unknown(const unsigned int own) const;
 
     dealii::Tensor<1, 3>   multiplier(const Configuration &,
                                       const unsigned int own) const;
+    dealii::Tensor<1, 3>   leaned_on(const Configuration &,
+                                     const unsigned int own) const;
     std::vector<RowDemand> row_demand(const Configuration &,
                                       const bool with_tangent) const;
     bool                   is_covered(const unsigned int own) const;
@@ -139,6 +154,7 @@ namespace demold
                         const unsigned int own);
     dealii::FullMatrix<double>
          direct_dependence(const ConstraintResponse        &response,
+                           const dealii::Tensor<2, 3>      &scaling,
                            const ConstraintInput           &input,
                            const PointGap                  &gap,
                            const NodalUnknowns             &columns,
@@ -149,12 +165,15 @@ namespace demold
 
     void count_change(const unsigned int own, const int number);
 
-    const InterfaceDescription             description;
-    const MPI_Comm                         communicator;
-    MortarSurfaces                         surfaces;
-    MortarOperator                         mortar;
-    TractionResolvent                      resolvent;
+    const InterfaceDescription description;
+    const MPI_Comm             communicator;
+    MortarSurfaces             surfaces;
+    MortarOperator             mortar;
+    TractionResolvent          resolvent;
+    const double stiffness; ///< [MPa/mm] of rows: c_N where none is asked for
+    const std::vector<unsigned int>        components; ///< all: 0 to dim - 1
     std::vector<dealii::Tensor<1, 3>>      compliance; ///< [mm/MPa]
+    std::vector<Leaning>                   leaning;
     std::vector<std::vector<unsigned int>> free; ///< components without support
     std::vector<bool>                      shared; ///< node, with another patch
     std::vector<bool> driven; ///< all nodes around, in some component

@@ -54,7 +54,7 @@ namespace demold
     Tensor<2, 3>        E;
     for (unsigned int d = 0; d < 3; ++d)
       E[d][d] = input.compliance[d];
-    const Tensor<1, 3> gap       = input.gap - E * input.traction;
+    const Tensor<1, 3> gap       = input.gap - E * input.sprung;
     const Tensor<1, 3> augmented = input.traction + C * gap;
 
     ResolventState turned = old;
@@ -70,12 +70,30 @@ namespace demold
     const Tensor<2, 3> dG = by_traction(response.law, n, tangential);
     response.residual     = gap - response.law.gap_N * n - response.law.gap_T;
     response.dgap         = unit - dG * C;
-    response.dtraction    = -1. * (dG + response.dgap * E);
+    response.dsprung      = -1. * (response.dgap * E);
+    response.dtraction    = response.dsprung - dG;
     const Tensor<2, 3> augmented_by_normal =
       (c_N - c_T) * ((n * gap) * unit + outer_product(n, gap));
     response.dnormal = -1. * by_normal(response.law, augmented, n, tangential) -
                        dG * augmented_by_normal +
                        (n * input.old_gap) * response.law.dT_dslip;
     return response;
+  }
+
+  Tensor<2, 3> row_scaling(const Tensor<2, 3>              &dgap,
+                           const double                     c_N,
+                           const double                     stiffness,
+                           const std::vector<unsigned int> &components)
+  {
+    Tensor<2, 3> a = unit;
+    for (const unsigned int i : components)
+      for (const unsigned int j : components)
+        a[i][j] = unit[i][j] / c_N + dgap[i][j] * (1. / stiffness - 1. / c_N);
+    a = invert(a);
+    Tensor<2, 3> result;
+    for (const unsigned int i : components)
+      for (const unsigned int j : components)
+        result[i][j] = a[i][j];
+    return result;
   }
 } // namespace demold

@@ -7,6 +7,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <vector>
+
 namespace demold
 {
   /// What the constraint of a point depends on.
@@ -17,7 +19,7 @@ namespace demold
     dealii::Tensor<1, 3> traction; ///< lambda [MPa], tension positive
 
     /// [mm] gap vector at t_n of a point whose bond holds, else 0, less
-    /// compliance lambda of t_n; its tangential part replaces the slip of the
+    /// compliance sprung of t_n; its tangential part replaces the slip of the
     /// history.
     dealii::Tensor<1, 3> old_gap;
 
@@ -27,17 +29,20 @@ namespace demold
 
     /// [mm/MPa] by component, where the constraint alone would leave the
     /// multiplier undetermined, else 0: a spring in series, so that the law
-    /// sees g - compliance lambda.
+    /// sees g - compliance sprung.
     dealii::Tensor<1, 3> compliance;
+    /// [MPa] lambda, or its difference from others that do not depend on it.
+    dealii::Tensor<1, 3> sprung;
   };
 
-  /// Residual r = g - compliance lambda - G(lambda_hat) [mm] (theory C9) and
+  /// Residual r = g - compliance sprung - G(lambda_hat) [mm] (theory C9) and
   /// its derivatives; vectors are Cartesian.
   struct ConstraintResponse
   {
     dealii::Tensor<1, 3> residual;
     dealii::Tensor<2, 3> dgap;      ///< [-]
-    dealii::Tensor<2, 3> dtraction; ///< [mm/MPa]
+    dealii::Tensor<2, 3> dtraction; ///< [mm/MPa] also through sprung
+    dealii::Tensor<2, 3> dsprung;   ///< [mm/MPa] at a given lambda
     dealii::Tensor<2, 3> dnormal;   ///< [mm]
     ResolventResponse    law;
   };
@@ -46,6 +51,16 @@ namespace demold
                                       const ConstraintInput   &input,
                                       const ResolventState    &old,
                                       const NewtonMemory      &last);
+
+  /// Factor [MPa/mm] that makes of the residual @p stiffness [MPa/mm] times the
+  /// gap where it is one, and lambda where it is lambda/c_N, so that rows are
+  /// of one size whatever c_N is: ((1 - dgap)/c_N + dgap/stiffness)^-1, for c_N
+  /// = stiffness the c_N of theory C9. Only rows and columns in
+  /// @p components take part.
+  dealii::Tensor<2, 3> row_scaling(const dealii::Tensor<2, 3>      &dgap,
+                                   const double                     c_N,
+                                   const double                     stiffness,
+                                   const std::vector<unsigned int> &components);
 } // namespace demold
 
 #endif
