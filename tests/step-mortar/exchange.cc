@@ -33,11 +33,12 @@ namespace demold
                        overrides);
     }
 
-    /// A mould that can be a slave: a stiff base.
+    /// A mould that can be a slave: a stiff base with nodes at the ends of the
+    /// block, so that the bond ends there for either slave.
     const Entries stiff_mould = {"Base/present=true",
                                  "Base/lower corner=-2, -4",
                                  "Base/size=24, 4",
-                                 "Base/cells=37, 4",
+                                 "Base/cells=72, 6",
                                  "Base/modulus=1000",
                                  "Base/bulk modulus=1000",
                                  "Supports/held=base bottom xy"};

@@ -48,6 +48,19 @@ namespace demold
     EXPECT_EQ(result.number("adhesion dissipation [mJ]"), 0.);
   }
 
+  TEST(CondensedSlidingBlock, rubs_with_mu_N_too)
+  {
+    const SceneRun result = run_mortar("sliding-block.prm",
+                                       {"Adhesion/law=none",
+                                        "Contact/multipliers=dual",
+                                        "Contact/condensed=true"});
+    EXPECT_EQ(result.status(), "completed");
+    EXPECT_NEAR(result.number("force at end [N]"), friction, 1e-4 * friction);
+    EXPECT_NEAR(result.number("friction dissipation [mJ]"),
+                friction,
+                friction * step);
+  }
+
   TEST_P(SlidingBlock, shears_off_the_bond_alone_without_friction)
   {
     const SceneRun result =

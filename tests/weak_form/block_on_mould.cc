@@ -2,6 +2,8 @@
 // A small block of rubber on a mould or on another block, ready to be solved.
 #include "weak_form/block_on_mould.h"
 
+#include "contact/node_to_segment.h"
+#include "mortar/mortar_term.h"
 #include "solid/dead_traction.h"
 #include "solid/finite_strain_solid.h"
 #include "solid/lumped_mass.h"
@@ -136,6 +138,35 @@ namespace demold
     }
   } // namespace
 
+  namespace
+  {
+    std::unique_ptr<InterfaceTerm> make_contact(const DoFHandler<2> &dofs,
+                                                const BlockOptions  &options,
+                                                const Supports      &held)
+    {
+      BoundarySurface rubber = extract_surface<2>(dofs, {slave});
+      Master          other  = options.on_block ?
+                                 Master::deformable(extract_surface<2>(dofs, {master})) :
+                                 rigid_line(options.mould);
+      if (options.mortar)
+        return std::make_unique<MortarTerm>(
+          std::move(rubber),
+          std::move(other),
+          *options.interface,
+          dofs.locally_owned_dofs(),
+          [&held](const types::global_dof_index i) {
+            return std::find(held.unknowns.begin(), held.unknowns.end(), i) !=
+                   held.unknowns.end();
+          },
+          MPI_COMM_WORLD);
+      return std::make_unique<NodeToSegment>(std::move(rubber),
+                                             std::move(other),
+                                             *options.interface,
+                                             dofs.locally_owned_dofs(),
+                                             MPI_COMM_WORLD);
+    }
+  } // namespace
+
   BlockOnMould::BlockOnMould(const BlockOptions &options)
     : options(options)
     , mesh(std::make_unique<Mesh>(options.on_block))
@@ -152,15 +183,11 @@ namespace demold
       form->add(
         make_dead_traction<2>(dofs, top, options.traction, PlaneModel()));
     if (options.interface)
-      contact =
-        static_cast<NodeToSegment *>(&form->add(std::make_unique<NodeToSegment>(
-          extract_surface<2>(dofs, {slave}),
-          options.on_block ?
-            Master::deformable(extract_surface<2>(dofs, {master})) :
-            rigid_line(options.mould),
-          *options.interface,
-          dofs.locally_owned_dofs(),
-          MPI_COMM_WORLD)));
+      {
+        auto term = make_contact(dofs, options, supports(dofs, options));
+        contact   = term.get();
+        form->add(std::move(term));
+      }
     form->setup();
     if (options.integrator)
       {

@@ -3,7 +3,9 @@
 #ifndef demold_tests_weak_form_block_on_mould_h
 #define demold_tests_weak_form_block_on_mould_h
 
-#include "contact/node_to_segment.h"
+#include "contact/interface_description.h"
+#include "contact/interface_term.h"
+#include "contact/master.h"
 #include "solution/inertia.h"
 #include "solution/linear_solver.h"
 #include "solution/newton.h"
@@ -19,6 +21,7 @@ namespace demold
   {
     bool                                viscous = false;
     std::optional<InterfaceDescription> interface;
+    bool                                mortar   = false; ///< else nodes
     bool                                on_block = false; ///< else on a mould
     RigidMotion mould = [](double) { return RigidPlacement(); };
 
@@ -60,7 +63,7 @@ namespace demold
     void throw_with(const dealii::Tensor<1, 3> &v);
 
     std::unique_ptr<WeakForm>     form;
-    NodeToSegment                *contact = nullptr;
+    InterfaceTerm                *contact = nullptr;
     Inertia                      *inertia = nullptr;
     std::unique_ptr<LinearSolver> solver;
     std::unique_ptr<Newton>       newton;

@@ -92,12 +92,26 @@ namespace
     BlockOptions blended       = dynamic;
     blended.integrator->scheme = "hht";
 
+    const auto by_mortar =
+      [](BlockOptions options, const bool dual, const bool condensed) {
+        options.mortar                      = true;
+        options.interface->dual_multipliers = dual;
+        options.interface->condensed        = condensed;
+        options.interface->stiffness        = 3.; // of the order of E [MPa]
+        return options;
+      };
+
     return {{"elastic solid", elastic},
             {"viscous solid", viscous},
             {"traction", loaded},
             {"friction and adhesion on a mould", on_mould},
             {"plastic unloading and new bonds", plastic},
             {"friction and adhesion on a block", on_block, 1e-12},
+            {"mortar on a mould", by_mortar(on_mould, false, false)},
+            {"dual mortar on a mould", by_mortar(on_mould, true, false)},
+            {"condensed mortar on a mould", by_mortar(on_mould, true, true)},
+            {"mortar on a block", by_mortar(on_block, false, false), 1e-12},
+            {"inertia and mortar", by_mortar(dynamic, false, false)},
             {"inertia", dynamic},
             {"inertia and blended bulk forces", blended}};
   }
