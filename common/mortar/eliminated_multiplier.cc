@@ -23,25 +23,18 @@ namespace demold
     return lambda;
   }
 
-  void EliminatedMultiplier::remember(const Tensor<1, 3>  &lambda,
-                                      const Tensor<1, 3>  &new_offset,
-                                      const NodalUnknowns &unknowns,
-                                      const std::vector<Tensor<2, 3>> &change,
+  void EliminatedMultiplier::remember(const Tensor<1, 3>       &lambda,
+                                      const Tensor<1, 3>       &new_offset,
+                                      const Assembler::Indices &new_columns,
+                                      const std::vector<Tensor<1, 3>> &dlambda,
                                       const Vector                    &now)
   {
     at      = lambda;
     offset  = new_offset;
-    columns = unknowns.indices;
+    columns = new_columns;
+    by_u    = dlambda;
     u.clear();
-    by_u.clear();
-    for (unsigned int k = 0; k < columns.size(); ++k)
-      {
-        u.push_back(now(columns[k]));
-        Tensor<1, 3> column;
-        for (unsigned int i = 0; i < 3; ++i)
-          column[i] =
-            change[unknowns.entries[k] / 3][i][unknowns.entries[k] % 3];
-        by_u.push_back(column);
-      }
+    for (const auto column : columns)
+      u.push_back(now(column));
   }
 } // namespace demold

@@ -3,8 +3,8 @@
 #ifndef demold_mortar_eliminated_multiplier_h
 #define demold_mortar_eliminated_multiplier_h
 
-#include "contact/nodal_force.h"
 #include "weak_form/algebra.h"
+#include "weak_form/assembler.h"
 
 #include <deal.II/base/tensor.h>
 
@@ -23,12 +23,12 @@ namespace demold
     /// [MPa] at the displacements @p now.
     dealii::Tensor<1, 3> value(const Vector &now) const;
 
-    /// Keeps a linearisation at @p now: @p change is dlambda/dx of the nodes
-    /// whose @p unknowns are given.
+    /// Keeps a linearisation at @p now: dlambda/du [MPa/mm] of the unknowns
+    /// @p columns.
     void remember(const dealii::Tensor<1, 3>              &lambda,
                   const dealii::Tensor<1, 3>              &offset,
-                  const NodalUnknowns                     &unknowns,
-                  const std::vector<dealii::Tensor<2, 3>> &change,
+                  const Assembler::Indices                &columns,
+                  const std::vector<dealii::Tensor<1, 3>> &dlambda,
                   const Vector                            &now);
 
   private:

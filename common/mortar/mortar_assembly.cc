@@ -103,16 +103,6 @@ namespace demold
     return lambda;
   }
 
-  Tensor<1, 3> MortarTerm::leaned_on(const Configuration &state,
-                                     const unsigned int   own) const
-  {
-    Tensor<1, 3> sum;
-    for (const unsigned int point : leaning[own].points)
-      for (unsigned int d = 0; d < surfaces.dim(); ++d)
-        sum[d] += state.u(first_unknown_of(point) + d);
-    return leaning[own].points.empty() ? sum : leaning[own].share() * sum;
-  }
-
   std::vector<RowDemand> MortarTerm::row_demand(const Configuration &state,
                                                 const bool with_tangent) const
   {
@@ -203,7 +193,10 @@ namespace demold
                                  const unsigned int   own)
   {
     if (is_condensed())
-      found[own] = Tensor<1, 3>();
+      {
+        found[own] = Tensor<1, 3>();
+        eliminated[own].restart(found[own]);
+      }
     const std::vector<unsigned int> no_nodes;
     LocalSystem                     local(no_nodes);
     Tensor<2, 3>                    row;

@@ -52,9 +52,11 @@ namespace demold
     seconds += timer.wall_time();
   }
 
-  /// With D lambda = f, the force the rest leaves unbalanced, the constraint
-  /// R(u, lambda) = 0 linearises to T K du - dR/du du = R + T lift, where K and
-  /// lift are the rows of the node and T = -dR/dlambda / D.
+  /// D lambda = f, the force the rest leaves unbalanced. With K and lift, the
+  /// rows of the node, D (lambda + dlambda) = f - lift + K du, and the
+  /// constraint R(u, lambda) = 0 becomes rows in du alone. lambda is what the
+  /// last linear system has implied, not f/D: so Newton goes the way it would
+  /// go without condensation. In the end they are the same.
   void MortarTerm::condense_point(const Configuration &state,
                                   CondensedRows       &system,
                                   const unsigned int   own)
@@ -63,11 +65,12 @@ namespace demold
     const std::vector<unsigned int> &components = free[own];
     const PointGap                   gap        = gap_of(own);
     Assembler::Indices               rows_of_node;
-    found[own] = Tensor<1, 3>();
+    found[own] = eliminated[own].value(state.u);
+    Tensor<1, 3> balanced; // f/D
     for (const unsigned int d : components)
       {
         rows_of_node.push_back(unknowns[d]);
-        found[own][d] = system.residual_of(unknowns[d]) / gap.area;
+        balanced[d] = system.residual_of(unknowns[d]) / gap.area;
       }
     const ConstraintInput    input    = constraint_input(state, own, gap);
     const ConstraintResponse response = point_constraint(resolvent,
@@ -78,7 +81,9 @@ namespace demold
     const unsigned int n = components.size();
     const Tensor<2, 3> scaling =
       row_scaling(response.dgap, resolvent.penalty, stiffness, components);
-    const Tensor<1, 3>     scaled  = scaling * response.residual;
+    const Tensor<1, 3> behind = balanced - found[own];
+    const Tensor<1, 3> scaled =
+      scaling * (response.residual + response.dtraction * behind);
     const Tensor<2, 3>     dscaled = scaling * response.dtraction;
     dealii::Vector<double> residual(n);
     FullMatrix<double>     T(n, n);
@@ -87,19 +92,65 @@ namespace demold
         residual(i) = -gap.area * scaled[components[i]];
         for (unsigned int j = 0; j < n; ++j)
           T(i, j) = -dscaled[components[i]][components[j]];
-        system.add_force(rows_of_node[i],
-                         -gap.area * input.traction[components[i]]);
+        system.add_force(rows_of_node[i], -gap.area * balanced[components[i]]);
       }
     NodalUnknowns columns;
     for (unsigned int l = 0; l < gap.nodes.size(); ++l)
       columns.add(surfaces.node(gap.nodes[l]), l, surfaces.dim());
+    if (system.with_tangent())
+      remember_linear(state, system, own, balanced, gap, columns);
     system.replace(
       rows_of_node,
       residual,
       T,
       columns.indices,
-      direct_dependence(response, scaling, input, gap, columns, components));
+      direct_dependence(response, scaling, balanced, gap, columns, components));
     account(state, own, input, response, gap);
+    settled = settled && is_small(behind, own);
+  }
+
+  /// Keeps D (lambda + dlambda) = f - lift + K du for the next iteration.
+  void MortarTerm::remember_linear(const Configuration &state,
+                                   const CondensedRows &system,
+                                   const unsigned int   own,
+                                   const Tensor<1, 3>  &balanced,
+                                   const PointGap      &gap,
+                                   const NodalUnknowns &columns)
+  {
+    const auto        &unknowns = surfaces.node(point(own).node).unknowns;
+    Tensor<1, 3>       lift;
+    Assembler::Indices indices;
+    std::vector<Tensor<1, 3>> dlambda;
+    for (const unsigned int d : free[own])
+      {
+        lift[d]                      = system.lift_of(unknowns[d]) / gap.area;
+        const CondensedRows::Row row = system.row_of(unknowns[d]);
+        for (std::size_t k = 0; k < row.columns.size(); ++k)
+          {
+            Tensor<1, 3> change;
+            change[d] = row.values[k] / gap.area;
+            indices.push_back(row.columns[k]);
+            dlambda.push_back(change);
+          }
+      }
+    for (unsigned int k = 0; k < columns.indices.size(); ++k)
+      {
+        const double darea =
+          gap.darea[columns.entries[k] / 3][columns.entries[k] % 3];
+        if (darea == 0.)
+          continue;
+        indices.push_back(columns.indices[k]);
+        dlambda.push_back(-darea / gap.area * balanced);
+      }
+    eliminated[own].remember(balanced, -lift, indices, dlambda, state.u);
+  }
+
+  /// Newton does not see how far an eliminated multiplier is from its end.
+  bool MortarTerm::is_small(const Tensor<1, 3> &change,
+                            const unsigned int  own) const
+  {
+    return change.norm() <=
+           eliminated_tolerance * (found[own].norm() + change.norm() + 1e-6);
   }
 
   /// -dR/du at lambda = f/D, without the part through f, in the rows of
@@ -107,7 +158,7 @@ namespace demold
   FullMatrix<double> MortarTerm::direct_dependence(
     const ConstraintResponse        &response,
     const Tensor<2, 3>              &scaling,
-    const ConstraintInput           &input,
+    const Tensor<1, 3>              &balanced,
     const PointGap                  &gap,
     const NodalUnknowns             &columns,
     const std::vector<unsigned int> &components) const
@@ -120,7 +171,7 @@ namespace demold
         const Tensor<2, 3> change =
           gap.area *
             (response.dgap * gap.dgap[l] + response.dnormal * gap.dnormal[l]) +
-          outer_product(response.residual - response.dtraction * input.traction,
+          outer_product(response.residual - response.dtraction * balanced,
                         gap.darea[l]);
         const Tensor<2, 3> scaled = scaling * change;
         for (unsigned int i = 0; i < components.size(); ++i)
@@ -173,13 +224,21 @@ namespace demold
               (input.traction + offset)[i] * gap.darea[l][j];
       }
     if (assembler.with_tangent())
-      kept.remember(input.traction, offset, unknowns, change, state.u);
+      {
+        std::vector<Tensor<1, 3>> dlambda(unknowns.indices.size());
+        for (unsigned int k_u = 0; k_u < dlambda.size(); ++k_u)
+          for (unsigned int i = 0; i < 3; ++i)
+            dlambda[k_u][i] =
+              change[unknowns.entries[k_u] / 3][i][unknowns.entries[k_u] % 3];
+        kept.remember(input.traction,
+                      offset,
+                      unknowns.indices,
+                      dlambda,
+                      state.u);
+      }
     add_forces(assembler, unknowns, 1., r, k);
     account(state, own, input, response, gap);
-    // Newton does not see what goes into the rows of supports.
-    settled =
-      settled && offset.norm() <= eliminated_tolerance *
-                                    (found[own].norm() + offset.norm() + 1e-6);
+    settled = settled && is_small(offset, own);
   }
 
 } // namespace demold

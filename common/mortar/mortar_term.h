@@ -4,6 +4,7 @@
 #define demold_mortar_mortar_term_h
 
 #include "contact/interface_term.h"
+#include "contact/nodal_force.h"
 #include "mortar/eliminated_multiplier.h"
 #include "mortar/mortar_operator.h"
 #include "mortar/mortar_surfaces.h"
@@ -21,13 +22,13 @@ namespace demold
   /// contact, friction and adhesion, solved together with everything else by
   /// semi-smooth Newton.
   ///
-  /// Dual multipliers on a rigid mould are condensed: lambda is the force that
-  /// the rest of the system leaves unbalanced at the node, over D_AA, and the
-  /// rows of the node become the constraint; a component with a support, as on
-  /// a plane of symmetry, gets no lambda (theory B.11). Points that share their
-  /// node with another patch, or whose faces are held or driven altogether,
-  /// cannot be treated so: they take a small compliance, so that their own
-  /// constraint gives lambda.
+  /// Dual multipliers on a rigid mould can be condensed: lambda is the force
+  /// that the rest of the system leaves unbalanced at the node, over D_AA, and
+  /// the rows of the node become the constraint; a component with a support, as
+  /// on a plane of symmetry, gets no lambda (theory B.11). Points that share
+  /// their node with another patch, or whose faces are held or driven
+  /// altogether, cannot be treated so: they take a small compliance, so that
+  /// their own constraint gives lambda.
   ///
   /// A point that holds a bond uses the operator frozen at bonding, on the
   /// reference configuration: lambda is a nominal traction. All others use the
@@ -152,10 +153,18 @@ namespace demold
     void condense_point(const Configuration &,
                         CondensedRows &,
                         const unsigned int own);
+    void remember_linear(const Configuration &,
+                         const CondensedRows &,
+                         const unsigned int          own,
+                         const dealii::Tensor<1, 3> &balanced,
+                         const PointGap             &gap,
+                         const NodalUnknowns        &columns);
+    bool is_small(const dealii::Tensor<1, 3> &change,
+                  const unsigned int          own) const;
     dealii::FullMatrix<double>
          direct_dependence(const ConstraintResponse        &response,
                            const dealii::Tensor<2, 3>      &scaling,
-                           const ConstraintInput           &input,
+                           const dealii::Tensor<1, 3>      &balanced,
                            const PointGap                  &gap,
                            const NodalUnknowns             &columns,
                            const std::vector<unsigned int> &components) const;

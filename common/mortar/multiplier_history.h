@@ -30,7 +30,7 @@ namespace demold
     dealii::Tensor<1, 3> gap; ///< [mm]: whole gap of a bond, else g_N n + slip
     double               gap_N = 0.; ///< [mm]
     dealii::Tensor<1, 3> traction;   ///< lambda [MPa]
-    dealii::Tensor<1, 3> sprung; ///< [MPa] what strains its compliance
+    dealii::Tensor<1, 3> sprung;     ///< [MPa] what strains its compliance
     double               area = 0.;  ///< [mm^2] covered
 
     dealii::Tensor<1, 3> force() const ///< [N] on the slave

@@ -47,6 +47,21 @@ namespace demold
       return residual(i);
     }
 
+    /// [N] what prescribed increments have moved to the right hand side.
+    double lift_of(const dealii::types::global_dof_index i) const
+    {
+      return lift(i);
+    }
+
+    /// One row of the matrix, as it stands.
+    struct Row
+    {
+      std::vector<int>    columns;
+      std::vector<double> values;
+    };
+
+    Row row_of(const dealii::types::global_dof_index i) const;
+
     /// Tells of a force [N] that has balanced row @p i without entering it.
     void add_force(const dealii::types::global_dof_index i, const double force)
     {
@@ -63,14 +78,6 @@ namespace demold
                  const dealii::FullMatrix<double> &more);
 
   private:
-    /// One row of the matrix, as it stands.
-    struct Row
-    {
-      std::vector<int>    columns;
-      std::vector<double> values;
-    };
-
-    Row  row_of(const dealii::types::global_dof_index i) const;
     void write(const dealii::types::global_dof_index i, const Row &row);
 
     const dealii::AffineConstraints<double> &constraints;

@@ -163,8 +163,7 @@ namespace demold
   TEST_P(MortarHardCases, augmentations_over_8_decades_change_no_result)
   {
     const double lost = .02; // G_c A [mJ]
-    for (const std::string c_N :
-         {"3", "1e1", "1e2", "1e3", "1e4", "1e5", "1e6", "1e7", "1e8"})
+    for (const std::string c_N : {"3", "1e2", "1e4", "1e6", "1e8"})
       {
         SCOPED_TRACE(c_N);
         const Entries  entry{"Contact/augmentation=" + c_N};

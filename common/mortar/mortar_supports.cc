@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Multipliers that their constraints alone leave undetermined: at supports and
+// where patches meet (theory B.11).
+#include "mortar/mortar_term.h"
+
+#include <algorithm>
+#include <set>
+
+namespace demold
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Compliances over 1/c_N of multipliers that their constraints alone
+    /// leave undetermined. Gaps are wrong by this share of lambda/c_N.
+    constexpr double vanishing_compliance = 1e-6;
+    /// A standard multiplier acts on the nodes around its own too. Where its
+    /// node has a support or another multiplier, and they have not, constraints
+    /// outnumber displacements: a stiffer one would tear at the neighbours.
+    constexpr double neighbour_compliance = 1.;
+  } // namespace
+
+  void MortarTerm::find_compliance(
+    const std::function<bool(types::global_dof_index)> &is_held)
+  {
+    std::vector<unsigned int> points_at_node(surfaces.n_slave_nodes(), 0);
+    for (const SlavePoint &point : surfaces.points())
+      ++points_at_node[point.node];
+    for (unsigned int own = 0; own < committed.size(); ++own)
+      {
+        std::set<unsigned int> around;
+        for (const unsigned int face : point(own).facets)
+          surfaces.add_slave_nodes(face, around);
+        compliance.emplace_back();
+        leaning.emplace_back();
+        free.emplace_back();
+        driven.push_back(false);
+        shared.push_back(points_at_node[point(own).node] > 1);
+        for (unsigned int d = 0; d < surfaces.dim(); ++d)
+          if (!is_held(surfaces.node(point(own).node).unknowns[d]))
+            free[own].push_back(d);
+        for (unsigned int d = 0; d < surfaces.dim(); ++d)
+          {
+            const auto held = [&](const unsigned int node) {
+              return is_held(surfaces.node(node).unknowns[d]);
+            };
+            const bool all_held =
+              std::all_of(around.begin(), around.end(), held);
+            driven[own] = driven[own] || all_held;
+            if (all_held)
+              compliance[own][d] = vanishing_compliance;
+            else if (held(point(own).node) || shared[own])
+              compliance[own][d] = description.dual_multipliers ?
+                                     vanishing_compliance :
+                                     neighbour_compliance;
+            leaning[own].leans[d] = !description.dual_multipliers &&
+                                    !all_held && !shared[own] &&
+                                    held(point(own).node);
+            if (leaning[own].leans[d])
+              leaning[own].points = neighbours(own);
+          }
+        if (is_condensed() && !has_own_rows(own))
+          for (unsigned int d = 0; d < surfaces.dim(); ++d)
+            compliance[own][d] =
+              std::max(compliance[own][d], vanishing_compliance);
+        compliance[own] /= stiffness;
+      }
+  }
+
+  /// Points of the same faces.
+  std::vector<unsigned int> MortarTerm::neighbours(const unsigned int own) const
+  {
+    std::set<unsigned int> points;
+    for (const unsigned int face : point(own).facets)
+      for (unsigned int a = 0; a < surfaces.slave().facet(face).n_nodes; ++a)
+        points.insert(surfaces.point_of(face, a));
+    points.erase(surfaces.own_points()[own]);
+    return {points.begin(), points.end()};
+  }
+
+  Tensor<2, 3> MortarTerm::Leaning::share() const
+  {
+    Tensor<2, 3> result;
+    for (unsigned int d = 0; d < 3; ++d)
+      result[d][d] = leans[d] ? 1. / points.size() : 0.;
+    return result;
+  }
+
+  Tensor<1, 3> MortarTerm::leaned_on(const Configuration &state,
+                                     const unsigned int   own) const
+  {
+    Tensor<1, 3> sum;
+    for (const unsigned int point : leaning[own].points)
+      for (unsigned int d = 0; d < surfaces.dim(); ++d)
+        sum[d] += state.u(first_unknown_of(point) + d);
+    return leaning[own].points.empty() ? sum : leaning[own].share() * sum;
+  }
+} // namespace demold
