@@ -2,6 +2,7 @@
 // Bonds between nodes of a network.
 #include "network/bond_links.h"
 
+#include "contact/bond_force.h"
 #include "contact/interface_term.h"
 #include "contact/softening_site.h"
 #include "weak_form/assembler.h"
@@ -9,8 +10,6 @@
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-
-#include <optional>
 
 namespace demold
 {
@@ -42,7 +41,14 @@ namespace demold
     : law(law)
     , links(links)
     , points(links.size())
-  {}
+  {
+    for (Point &point : points)
+      {
+        point.committed.bonded = true;
+        point.committed.status = AdhesionStatus::adhering;
+        point.trial            = point.committed;
+      }
+  }
 
   std::string BondLinks::name() const
   {
@@ -73,6 +79,22 @@ namespace demold
       constraints.add_entries_local_to_global(indices_of(link), pattern, false);
   }
 
+  AdhesionResponse BondLinks::respond(const Point       &point,
+                                      const unsigned int iteration) const
+  {
+    if (point.driven && iteration == 0)
+      return law.evaluate(point.gap,
+                          normal(),
+                          point.committed.state,
+                          AdhesionStatus::decohesion);
+    return bond_response(law,
+                         point.gap,
+                         normal(),
+                         point.committed,
+                         point.last,
+                         {iteration});
+  }
+
   bool BondLinks::assemble(const Configuration &now, Assembler &assembler)
   {
     state_changes = 0;
@@ -83,15 +105,12 @@ namespace demold
         point.gap          = Tensor<1, 3>();
         for (unsigned int k = 0; k < 4; ++k)
           point.gap[k % 2] += weight(k) * now.u(indices[k]);
-        std::optional<AdhesionStatus> forced;
-        if (point.driven && now.iteration == 0)
-          forced = AdhesionStatus::decohesion;
-        const AdhesionResponse r =
-          law.evaluate(point.gap, normal(), point.committed, forced);
-        state_changes += r.status != point.status ? 1 : 0;
-        point.status = r.status;
-        point.trial  = r.state;
-        point.stored = links[p].area * r.stored;
+        const AdhesionResponse r = respond(point, now.iteration);
+        state_changes += r.status != point.last ? 1 : 0;
+        point.last         = r.status;
+        point.trial.status = r.status;
+        point.trial.state  = r.state;
+        point.stored       = links[p].area * r.stored;
 
         dealii::Vector<double> R(4);
         FullMatrix<double>     K(4, 4);
@@ -120,8 +139,8 @@ namespace demold
     double lost = 0., front = 0.;
     for (std::size_t p = 0; p < links.size(); ++p)
       {
-        const double d =
-          points[p].trial.dissipated - points[p].committed.dissipated;
+        const double d = points[p].trial.state.dissipated -
+                         points[p].committed.state.dissipated;
         lost += links[p].area * d;
         front += d > 0. ? links[p].area : 0.;
       }
@@ -134,7 +153,7 @@ namespace demold
     for (std::size_t p = 0; p < links.size(); ++p)
       {
         e.stored += points[p].stored;
-        e.adhesion += links[p].area * points[p].trial.dissipated;
+        e.adhesion += links[p].area * points[p].trial.state.dissipated;
       }
     return e;
   }
@@ -169,7 +188,7 @@ namespace demold
     std::vector<double> values;
     for (const Point &point : points)
       {
-        const AdhesionState &s = point.committed;
+        const AdhesionState &s = point.committed.state;
         for (const double x : {s.kappa,
                                s.dissipated,
                                s.strength_factor,
@@ -177,7 +196,8 @@ namespace demold
                                s.gap[0],
                                s.gap[1],
                                s.gap[2],
-                               point.accepted_stored})
+                               point.accepted_stored,
+                               static_cast<double>(point.committed.status)})
           values.push_back(x);
       }
     write_values(out, values);
@@ -189,7 +209,7 @@ namespace demold
     std::size_t next   = 0;
     for (Point &point : points)
       {
-        AdhesionState &s = point.committed;
+        AdhesionState &s = point.committed.state;
         for (double *x : {&s.kappa,
                           &s.dissipated,
                           &s.strength_factor,
@@ -199,13 +219,16 @@ namespace demold
                           &s.gap[2],
                           &point.accepted_stored})
           *x = values.at(next++);
+        const auto status      = static_cast<int>(values.at(next++));
+        point.committed.status = static_cast<AdhesionStatus>(status);
+        point.last             = point.committed.status;
       }
     revert();
   }
 
   bool BondLinks::holds(const Point &point) const
   {
-    return point.committed.kappa < separation_gap(law.softening);
+    return point.committed.status != AdhesionStatus::separated;
   }
 
   std::vector<SofteningSite> BondLinks::softening_sites() const
@@ -219,7 +242,7 @@ namespace demold
         SofteningSite point = softening_site(law,
                                              at.gap,
                                              normal(),
-                                             at.committed,
+                                             at.committed.state,
                                              links[p].area,
                                              at.driven);
         point.unknowns      = indices_of(links[p]);
@@ -244,7 +267,7 @@ namespace demold
   {
     double sum = 0.;
     for (std::size_t p = 0; p < links.size(); ++p)
-      if (points[p].trial.kappa < separation_gap(law.softening))
+      if (points[p].trial.status != AdhesionStatus::separated)
         sum += links[p].area;
     return sum;
   }

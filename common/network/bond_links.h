@@ -3,7 +3,7 @@
 #ifndef demold_network_bond_links_h
 #define demold_network_bond_links_h
 
-#include "adhesion/adhesion_law.h"
+#include "contact/point_history.h"
 #include "weak_form/softening_sites.h"
 #include "weak_form/term.h"
 
@@ -55,14 +55,16 @@ namespace demold
   private:
     struct Point
     {
-      AdhesionState        committed, trial;
+      BondHistory          committed, trial;
       dealii::Tensor<1, 3> gap; ///< [mm] of the last assembly
-      AdhesionStatus       status = AdhesionStatus::adhering;
+      AdhesionStatus       last   = AdhesionStatus::adhering; ///< assembly
       double               stored = 0., accepted_stored = 0.; ///< [mJ]
       bool                 driven = false;
     };
 
-    bool holds(const Point &point) const;
+    bool             holds(const Point &point) const;
+    AdhesionResponse respond(const Point       &point,
+                             const unsigned int iteration) const;
 
     const AdhesionLaw           law;
     const std::vector<BondLink> links;
