@@ -60,7 +60,9 @@ namespace demold
     last_problem            = report.converged ? why : report.reason;
   }
 
-  void PathFollower::accept(const NewtonReport &report, const std::string &used)
+  void PathFollower::accept(const NewtonReport &report,
+                            const std::string  &used,
+                            const std::string  &strategy)
   {
     excursion.look(weak_form);
     constraint->accepted(weak_form);
@@ -84,7 +86,7 @@ namespace demold
     goes_on = on_accept({weak_form.time(),
                          weak_form.time() - start,
                          report,
-                         "arc length",
+                         strategy,
                          result.rejected,
                          point});
   }
@@ -105,7 +107,7 @@ namespace demold
         return false;
       }
     last_load = std::max(dt, 0.);
-    accept(report, "load");
+    accept(report, "load", "arc length");
     if (report.iterations <= increments.easy)
       state.dt = std::max(state.dt,
                           std::min(increments.growth * dt, increments.largest));

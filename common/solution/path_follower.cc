@@ -20,8 +20,9 @@ namespace demold
     /// Iterations of a step: what needs more has met a limit or a kink.
     constexpr unsigned int few_iterations = 12;
 
-    /// The order in which `adaptive` tries constraints where points soften:
-    /// the dissipation first, because it needs no sign.
+    /// The order in which `adaptive` tries constraints where points soften: the
+    /// dissipation first, because it needs no sign. After the third the path is
+    /// jumped over; the fourth is for what does not soften.
     const std::array<std::string, 4> order = {
       {"dissipation", "largest opening", "interface", "cylindrical"}};
 
@@ -102,8 +103,18 @@ namespace demold
 
   bool PathFollower::choose_next_constraint(const std::string &why)
   {
-    if (tools.path.constraint != "adaptive" || is_cylindrical())
+    if (tools.path.constraint != "adaptive" ||
+        max_over_ranks(weak_form, look().size()) == 0.)
       return give_up(why);
+    if (constraint->name() == order[2] || is_cylindrical())
+      {
+        if (!jump())
+          return give_up(why);
+        on_path = false;
+        use(order.front(), "a jump has led past what no other could follow");
+        end_path("");
+        return true;
+      }
     const auto now = std::find(order.begin(), order.end(), constraint->name());
     use(*(now + 1), constraint->name() + " failed: " + why);
     return true;

@@ -51,6 +51,7 @@ namespace demold
     bool try_path(const Chosen &chosen, const bool may_pass);
     bool try_single_points(const Points &points);
     bool shorten_path_step();
+    bool jump();
     void adapt_path_step(const NewtonReport &report, const double dt);
 
     // What steps have in common (load_steps.cc).
@@ -58,7 +59,9 @@ namespace demold
     double next_mark() const;
     bool   releases_too_much(const double points) const;
     bool   leaves_the_books_open() const;
-    void   accept(const NewtonReport &report, const std::string &constraint);
+    void   accept(const NewtonReport &report,
+                  const std::string  &constraint,
+                  const std::string  &strategy);
     void   reject(const NewtonReport &report, const std::string &why);
     void   save();
     void   load();
@@ -82,6 +85,7 @@ namespace demold
     bool         on_path    = false;
     double       size       = 0.;    ///< of path steps, of a full one
     unsigned int path_steps = 0;     ///< since the last try of a load step
+    double       nudged     = -1.;   ///< [s] clock of the last step back
     double       last_load  = 0.;    ///< [s] to extrapolate from, 0: nothing
     double       whole      = 0.;    ///< [mJ] of the largest point
     Energies     before;             ///< at t_n

@@ -86,7 +86,7 @@ namespace demold
       }
     ++path_steps;
     last_load = 0.;
-    accept(report, constraint->name());
+    accept(report, constraint->name(), "arc length");
     adapt_path_step(report, dt);
     return true;
   }
@@ -101,7 +101,8 @@ namespace demold
       size *= std::max(.2, increments.largest / std::abs(dt));
   }
 
-  /// Where several points could give and together find no way, one does.
+  /// Where several points could give and together find no way, one does: those
+  /// that have opened most first, as the front goes on there.
   bool PathFollower::try_single_points(const Points &points)
   {
     if (is_cylindrical() || sum_over_ranks(weak_form,
@@ -109,24 +110,26 @@ namespace demold
                                                          points.end(),
                                                          is_critical)) < 2.)
       return false;
+    const auto damage = [](const SofteningSite &point) {
+      return point.largest / point.rupture;
+    };
     double below = 1e300;
     for (unsigned int i = 0; i < single_points; ++i)
       {
-        double strongest = 0.;
+        double most = 0.;
         for (const SofteningSite &point : points)
-          if (is_critical(point) && point.utilisation < below)
-            strongest = std::max(strongest, point.utilisation);
-        strongest = max_over_ranks(weak_form, strongest);
-        if (strongest == 0.)
+          if (is_critical(point) && damage(point) < below)
+            most = std::max(most, damage(point));
+        most = max_over_ranks(weak_form, most);
+        if (most == 0.)
           return false;
         if (try_path(
               [&](const SofteningSite &p) {
-                return is_critical(p) && p.utilisation >= strongest &&
-                       p.utilisation < below;
+                return is_critical(p) && damage(p) == most;
               },
               false))
           return true;
-        below = strongest;
+        below = most;
       }
     return false;
   }
@@ -137,11 +140,38 @@ namespace demold
     if (size >=
         shortest_path_step * (is_cylindrical() ? 1. : tools.path.release))
       return true;
-    look();
     size = is_cylindrical() ? 1. : tools.path.release;
-    for (const double direction : {1., -1.})
-      if (try_load(direction * 1e-3 * increments.largest))
-        return true;
+    // A small step forth or back may come round the kink; once is enough.
+    look();
+    if (nudged != weak_form.clock())
+      {
+        nudged = weak_form.clock();
+        for (const double direction : {1., -1.})
+          if (try_load(direction * 1e-3 * increments.largest))
+            return true;
+      }
     return choose_next_constraint(last_problem);
+  }
+
+  /// What no constraint can follow is jumped over, as in quasi-statics: forward
+  /// in time to an equilibrium, whatever that releases; the ledger shows it.
+  bool PathFollower::jump()
+  {
+    const double rest = next_mark() - weak_form.time();
+    for (double dt = std::min(increments.largest, rest);
+         dt >= increments.smallest;
+         dt *= .5)
+      {
+        look();
+        weak_form.begin_increment(weak_form.time() + dt, 0.);
+        const NewtonReport report = tools.newton.solve(weak_form);
+        if (report.converged)
+          {
+            accept(report, "load", "quasi-static");
+            return true;
+          }
+        reject(report, "");
+      }
+    return false;
   }
 } // namespace demold
