@@ -109,7 +109,7 @@ namespace demold
     Timer timer;
     surfaces.move_to(state, communicator);
     if (state.iteration == 0)
-      last_dt = state.dt;
+      last_dt = state.elapsed;
     seconds += timer.wall_time();
   }
 
@@ -175,6 +175,7 @@ namespace demold
 
   void NodeToSegment::revert()
   {
+    driven.clear();
     trial      = committed;
     increment  = Increment();
     now        = Energies();

@@ -8,6 +8,7 @@
 #include "contact/interface_term.h"
 #include "contact/point_history.h"
 #include "contact/surface_pair.h"
+#include "weak_form/softening_sites.h"
 
 namespace demold
 {
@@ -18,7 +19,9 @@ namespace demold
   /// start of the increment. All tangents are exact in the first iterations,
   /// before states are frozen. With a rigid master, mixing with a = b^2 and no
   /// friction they are symmetric.
-  class NodeToSegment : public InterfaceTerm
+  class NodeToSegment
+    : public InterfaceTerm
+    , public SofteningTerm
   {
   public:
     NodeToSegment(BoundarySurface             slave,
@@ -52,6 +55,9 @@ namespace demold
     std::vector<PointReport> report() const override;
     InterfaceSums            sums() const override;
 
+    std::vector<SofteningSite> softening_sites() const override;
+    void                       drive(const std::vector<bool> &points) override;
+
   private:
     /// Sums of the trial increment over the points of this rank.
     struct Increment
@@ -60,11 +66,15 @@ namespace demold
       double lost  = 0.; ///< [mJ] by decohesion in this increment
     };
 
-    void start_point(const unsigned int point);
-    void bond_again();
-    void assemble_bond(const Configuration &,
-                       Assembler &,
-                       const unsigned int point);
+    void                      start_point(const unsigned int point);
+    void                      bond_again();
+    std::vector<unsigned int> points_that_hold() const;
+    AdhesionResponse          respond(const Configuration &,
+                                      const unsigned int point,
+                                      const AnchorPlace &place);
+    void                      assemble_bond(const Configuration &,
+                                            Assembler &,
+                                            const unsigned int point);
     /// Returns the state, theory C.5: contact, slip or free.
     int  assemble_contact(const Configuration &,
                           Assembler &,
@@ -91,6 +101,7 @@ namespace demold
     std::vector<bool> just_closed; ///< in the last accepted increment
     std::vector<int>  last_state;  ///< of the last assembly, theory C.5
     std::vector<AdhesionStatus> last_bond_status;
+    std::vector<bool>           driven; ///< by a path; empty: none
     unsigned int                state_changes = 0;
     double                      last_dt       = 0.;
   };

@@ -15,6 +15,25 @@ namespace demold
     last_state[point] = state;
   }
 
+  AdhesionResponse NodeToSegment::respond(const Configuration &state,
+                                          const unsigned int   p,
+                                          const AnchorPlace   &place)
+  {
+    const BondHistory &old = committed.bond[p];
+    const Tensor<1, 3> gap = surfaces.x(p) - place.x;
+    if (state.iteration == 0 && !driven.empty() && driven[p])
+      return description.adhesion->evaluate(gap,
+                                            place.normal,
+                                            old.state,
+                                            AdhesionStatus::decohesion);
+    return bond_response(*description.adhesion,
+                         gap,
+                         place.normal,
+                         old,
+                         last_bond_status[p],
+                         {state.iteration});
+  }
+
   void NodeToSegment::assemble_bond(const Configuration &state,
                                     Assembler           &assembler,
                                     const unsigned int   p)
@@ -23,12 +42,7 @@ namespace demold
     const Master          &master   = surfaces.master();
     const double           area     = surfaces.point(p).area;
     const AnchorPlace      place    = master.place(old.anchor);
-    const AdhesionResponse response = bond_response(*description.adhesion,
-                                                    surfaces.x(p) - place.x,
-                                                    place.normal,
-                                                    old,
-                                                    last_bond_status[p],
-                                                    {state.iteration});
+    const AdhesionResponse response = respond(state, p, place);
     last_bond_status[p]             = response.status;
 
     BondHistory &bond = trial.bond[p];

@@ -174,7 +174,7 @@ namespace demold
     surfaces.move_to(state);
     if (state.iteration == 0)
       {
-        last_dt = state.dt;
+        last_dt = state.elapsed;
         newton_memory.assign(newton_memory.size(), NewtonMemory());
         for (unsigned int own = 0; own < committed.size(); ++own)
           eliminated[own].restart(committed[own].traction);

@@ -37,7 +37,7 @@ namespace demold
                       const IncrementRecord  &record)
   {
     Observation now;
-    now.time    = record.time;
+    now.time    = record.path ? record.path->clock : record.time;
     now.opening = scene.opening(record.time);
     now.force   = measured_force(scene, system, record.time);
     auto e      = system.weak_form->energies().as_array();
@@ -62,7 +62,8 @@ namespace demold
     now.iterations = record.newton.iterations;
     now.rejected   = record.rejected;
     now.strategy   = record.strategy;
-    now.done       = record.time / scene.end_time;
+    now.path       = record.path;
+    now.done       = now.time / scene.end_time;
     return now;
   }
 

@@ -17,32 +17,41 @@ namespace demold
     /// A quasi-static increment that loses more than this share of the largest
     /// ledger entry while bonds break or nodes leave the mould has jumped.
     constexpr double jump_share = 2e-3;
-
-    std::vector<std::string> column_names()
-    {
-      std::vector<std::string> names = {"time [s]",
-                                        "opening [mm]",
-                                        "force [N]",
-                                        "bonded area [mm^2]",
-                                        "touching area [mm^2]"};
-      for (const std::string &entry : Energies::names())
-        names.push_back(entry + " [mJ]");
-      for (const char *name : {"released energy [mJ]",
-                               "energy gap [mJ]",
-                               "newton iterations",
-                               "rejected increments",
-                               "strategy"})
-        names.emplace_back(name);
-      return names;
-    }
   } // namespace
 
-  Recorder::Recorder(const RunContext &context, const bool has_interface)
+  Recorder::Recorder(const RunContext &context,
+                     const bool        has_interface,
+                     const bool        has_path)
     : context(context)
     , has_interface(has_interface)
+    , has_path(has_path)
     , is_first(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     , progress(std::cout, context.quiet)
   {}
+
+  std::vector<std::string> Recorder::column_names() const
+  {
+    std::vector<std::string> names = {"time [s]",
+                                      "opening [mm]",
+                                      "force [N]",
+                                      "bonded area [mm^2]",
+                                      "touching area [mm^2]"};
+    for (const std::string &entry : Energies::names())
+      names.push_back(entry + " [mJ]");
+    for (const char *name : {"released energy [mJ]",
+                             "energy gap [mJ]",
+                             "newton iterations",
+                             "rejected increments",
+                             "strategy"})
+      names.emplace_back(name);
+    if (has_path)
+      for (const char *name : {"point",
+                               "constraint",
+                               "negative pivots",
+                               "sign of the determinant"})
+        names.emplace_back(name);
+    return names;
+  }
 
   void Recorder::restart()
   {
@@ -55,37 +64,80 @@ namespace demold
                                     static_cast<unsigned int>(rows_saved));
   }
 
+  void Recorder::find_jump(const Observation &now)
+  {
+    const double lost    = now.energies.gap() - last.energies.gap();
+    const bool   loosens = now.energies.adhesion > last.energies.adhesion ||
+                         now.closed < last.closed;
+    if (now.strategy != "quasi-static" || lost <= jump_share * largest_entry ||
+        !loosens)
+      return;
+    released += lost;
+    unexplained += lost;
+    ++n_jumps;
+    char text[120];
+    std::snprintf(text,
+                  sizeof(text),
+                  "jump: %.4g mJ released between openings %.4g and %.4g mm",
+                  lost,
+                  last.opening,
+                  now.opening);
+    progress.note(text);
+  }
+
+  void Recorder::count_excursion(const Observation &now)
+  {
+    if (!now.path || now.path->kind != "jump")
+      return;
+    released += now.path->released;
+    ++n_jumps;
+    char text[120];
+    std::snprintf(text,
+                  sizeof(text),
+                  "jump: the excursion to opening %.4g mm has released %.4g mJ",
+                  now.opening,
+                  now.path->released);
+    progress.note(text);
+  }
+
+  std::vector<ResultTable::Value> Recorder::row(const Observation &now) const
+  {
+    std::vector<ResultTable::Value> row = {now.time,
+                                           now.opening,
+                                           now.force,
+                                           now.bonded,
+                                           now.closed};
+    for (const double e : now.energies.as_array())
+      row.emplace_back(e);
+    row.emplace_back(released);
+    row.emplace_back(now.energies.gap() - unexplained);
+    row.emplace_back(static_cast<double>(now.iterations));
+    row.emplace_back(static_cast<double>(now.rejected));
+    row.emplace_back(now.strategy);
+    if (has_path)
+      {
+        const PathPoint point = now.path.value_or(PathPoint());
+        row.emplace_back(point.kind);
+        row.emplace_back(point.constraint);
+        row.emplace_back(static_cast<double>(point.stability.negative_pivots));
+        row.emplace_back(static_cast<double>(point.stability.determinant_sign));
+      }
+    return row;
+  }
+
   void Recorder::record(const Observation &now)
   {
-    const auto before = last.energies.as_array();
-    const auto after  = now.energies.as_array();
-    for (const double e : after)
+    for (const double e : now.energies.as_array())
       largest_entry = std::max(largest_entry, std::abs(e));
-
-    const double lost = now.energies.gap() - last.energies.gap();
-    if (now.strategy == "quasi-static" && lost > jump_share * largest_entry &&
-        (after[4] > before[4] || now.closed < last.closed))
-      {
-        released += lost;
-        ++n_jumps;
-        char text[120];
-        std::snprintf(text,
-                      sizeof(text),
-                      "jump: %.4g mJ released between openings %.4g and %.4g "
-                      "mm",
-                      lost,
-                      last.opening,
-                      now.opening);
-        progress.note(text);
-      }
-    const double gap = now.energies.gap() - released;
-    largest_gap      = std::max(largest_gap, std::abs(gap));
+    find_jump(now);
+    count_excursion(now);
+    largest_gap =
+      std::max(largest_gap, std::abs(now.energies.gap() - unexplained));
     if (now.force > peak_force)
       {
         peak_force      = now.force;
         opening_at_peak = now.opening;
       }
-
     largest_stretch = std::max(largest_stretch, now.stretch);
     largest_tension = std::max(largest_tension, now.tension);
 
@@ -95,21 +147,7 @@ namespace demold
                                       column_names());
     rows_saved += 1.;
     if (table)
-      {
-        std::vector<ResultTable::Value> row = {now.time,
-                                               now.opening,
-                                               now.force,
-                                               now.bonded,
-                                               now.closed};
-        for (const double e : after)
-          row.emplace_back(e);
-        row.emplace_back(released);
-        row.emplace_back(gap);
-        row.emplace_back(static_cast<double>(now.iterations));
-        row.emplace_back(static_cast<double>(now.rejected));
-        row.emplace_back(now.strategy);
-        table->add_row(row);
-      }
+      table->add_row(row(now));
     IncrementLine line;
     line.time       = now.time;
     line.opening    = now.opening;
@@ -117,7 +155,7 @@ namespace demold
     line.iterations = now.iterations;
     if (has_interface && now.area > 0.)
       line.bonded_fraction = now.bonded / now.area;
-    line.strategy = now.strategy;
+    line.strategy = now.path ? now.path->constraint : now.strategy;
     line.done     = now.done;
     progress.print(line);
     last = now;
@@ -136,7 +174,8 @@ namespace demold
     summary.set("opening at peak [mm]", opening_at_peak);
     summary.set("opening at end [mm]", last.opening);
     summary.set("force at end [N]", last.force);
-    summary.set("work of demolding [mJ]", e.external);
+    // What a machine does: along a path it would miss the way back.
+    summary.set("work of demolding [mJ]", e.external + released - unexplained);
     summary.set("adhesion dissipation [mJ]", e.adhesion);
     summary.set("friction dissipation [mJ]", e.friction);
     summary.set("viscous dissipation [mJ]", e.viscous);
@@ -198,7 +237,8 @@ namespace demold
                                   static_cast<double>(n_jumps),
                                   last.opening,
                                   largest_stretch,
-                                  largest_tension};
+                                  largest_tension,
+                                  unexplained};
     for (const double e : last.energies.as_array())
       values.push_back(e);
     return values;
@@ -216,8 +256,9 @@ namespace demold
     last.opening    = values.at(7);
     largest_stretch = values.at(8);
     largest_tension = values.at(9);
+    unexplained     = values.at(10);
     std::array<double, Energies::n_entries> e;
-    std::copy_n(values.begin() + 10, e.size(), e.begin());
+    std::copy_n(values.begin() + 11, e.size(), e.begin());
     last.energies = Energies::from_array(e);
   }
 } // namespace demold

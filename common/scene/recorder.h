@@ -7,6 +7,7 @@
 #include "output/progress.h"
 #include "output/result_table.h"
 #include "output/summary.h"
+#include "solution/strategy.h"
 #include "weak_form/energies.h"
 
 #include <memory>
@@ -31,14 +32,18 @@ namespace demold
     unsigned int rejected   = 0;
     std::string  strategy;
     double       done = 0.; ///< share of the run
+
+    std::optional<PathPoint> path; ///< of path following only
   };
 
   /// Keeps the running extremes, writes history.csv row by row, finds the
-  /// jumps of quasi-static runs and closes the books at the end.
+  /// jumps of quasi-static runs and closes the books at the end. A path is
+  /// booked as it is, excursions included; what a machine would see released
+  /// there is listed apart.
   class Recorder
   {
   public:
-    Recorder(const RunContext &context, bool has_interface);
+    Recorder(const RunContext &context, bool has_interface, bool has_path);
 
     /// Continues history.csv after the rows counted in the checkpoint.
     void restart();
@@ -65,8 +70,14 @@ namespace demold
     unsigned int n_jumps = 0;
 
   private:
+    std::vector<std::string>        column_names() const;
+    std::vector<ResultTable::Value> row(const Observation &now) const;
+    void                            find_jump(const Observation &now);
+    void                            count_excursion(const Observation &now);
+
     const RunContext             context;
     const bool                   has_interface;
+    const bool                   has_path;
     const bool                   is_first; ///< rank, the one that writes
     std::unique_ptr<ResultTable> table;
     Progress                     progress;
@@ -74,6 +85,7 @@ namespace demold
     double                       peak_force = 0., opening_at_peak = 0.;
     double                       largest_entry = 0., largest_gap = 0.;
     double                       released        = 0.; ///< [mJ] in jumps
+    double                       unexplained     = 0.; ///< [mJ] of these
     double                       rows_saved      = 0.;
     double                       largest_stretch = 1.; ///< [-]
     double                       largest_tension = 0.; ///< [MPa]

@@ -32,6 +32,15 @@ namespace demold
                                         account.result.reason);
     }
 
+    /// Events in one line: the summary is flat.
+    void set_events(Summary &summary, const std::vector<std::string> &events)
+    {
+      std::string line;
+      for (const std::string &event : events)
+        line += (line.empty() ? "" : "; ") + event;
+      summary.set("events", line);
+    }
+
     void set_cure(Summary &summary, const VulcanisedRange &cure)
     {
       summary.set("smallest f90 [-]", cure.smallest);
@@ -108,6 +117,8 @@ namespace demold
   {
     Summary summary;
     set_outcome(summary, account);
+    if (!account.result.events.empty())
+      set_events(summary, account.result.events);
     account.recorder.summarise(summary);
     if (account.cure != nullptr)
       set_cure(summary, *account.cure);

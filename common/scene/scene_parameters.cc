@@ -61,8 +61,9 @@ namespace demold
     prm.add_parameter("strategy",
                       strategy,
                       "how the scene is solved",
-                      Patterns::Selection("quasi-static|dynamics"));
+                      Patterns::Selection("quasi-static|dynamics|arc length"));
     increments.add_parameters(prm);
+    path.add_parameters(prm);
     integrator.add_parameters(prm);
     prm.add_parameter("accuracy",
                       accuracy,
@@ -119,6 +120,8 @@ namespace demold
     LinearSolverParameters result = linear_solver;
     if (interface.is_mortar())
       result.relative_tolerance = std::min(result.relative_tolerance, 1e-4);
+    if (strategy == "arc length" && result.linear == "auto")
+      result.linear = "direct";
     return result;
   }
 

@@ -11,6 +11,7 @@
 #include "solution/inertia.h"
 #include "solution/linear_solver.h"
 #include "solution/nonlinear_solver.h"
+#include "solution/path_parameters.h"
 #include "solution/strategy.h"
 
 #include <string>
@@ -32,6 +33,7 @@ namespace demold
     InterfaceParameters    interface;
     std::string            strategy = "quasi-static";
     IncrementParameters    increments;
+    PathParameters         path;
     TimeIntegrator         integrator;
     double                 accuracy = .01; ///< eta of the dynamic step rule
     NewtonParameters       newton;
@@ -54,7 +56,8 @@ namespace demold
     RubberLaw typical_law() const;
 
     /// Section Solver, linear part. Rows of condensed multipliers mix forces
-    /// with gaps: loosely solved they would set the wrong points free.
+    /// with gaps: loosely solved they would set the wrong points free. Beyond a
+    /// limit point the tangent is indefinite, so that auto is direct there.
     LinearSolverParameters linear_solver_of_scene() const;
 
     /// 2 or 3.

@@ -4,6 +4,7 @@
 
 #include "solid/lumped_mass.h"
 #include "solution/dynamics.h"
+#include "solution/path_following.h"
 #include "solution/quasi_static.h"
 
 #include <algorithm>
@@ -53,48 +54,64 @@ namespace demold
     }
   } // namespace
 
+  Strategy make_strategy(const SceneParameters &parameters,
+                         const StrategyTools   &tools,
+                         IncrementState        &state)
+  {
+    const IncrementParameters increments =
+      increments_of(parameters, tools.end_time, state);
+    if (parameters.strategy == "arc length")
+      return [=, &parameters](const OnAccept &on_accept) {
+        return run_path_following(tools.weak_form,
+                                  {tools.newton,
+                                   tools.linear_solver,
+                                   parameters.newton,
+                                   parameters.path,
+                                   tools.note},
+                                  increments,
+                                  tools.end_time,
+                                  on_accept);
+      };
+    return [=](const OnAccept &on_accept) {
+      return run_quasi_static(tools.weak_form,
+                              tools.newton,
+                              increments,
+                              tools.end_time,
+                              on_accept);
+    };
+  }
+
   template <int dim>
   Strategy make_strategy(const Scene<dim>      &scene,
                          const SceneParameters &parameters,
                          SceneSystem<dim>      &system,
-                         NonlinearSolver       &newton,
+                         const StrategyTools   &tools,
                          IncrementState        &state)
   {
-    WeakForm                 &weak_form = *system.weak_form;
-    const double              end_time  = scene.end_time;
+    if (parameters.strategy != "dynamics")
+      return make_strategy(parameters, tools, state);
     const IncrementParameters increments =
-      increments_of(parameters, end_time, state);
-    if (parameters.strategy == "dynamics")
-      {
-        Inertia &inertia = add_inertia(scene, parameters, system);
-        return [=, &parameters, &weak_form, &newton, &inertia](
-                 const OnAccept &on_accept) {
-          return run_dynamics(weak_form,
-                              newton,
-                              inertia,
-                              parameters.integrator,
-                              increments,
-                              end_time,
-                              on_accept);
-        };
-      }
-    return [=, &weak_form, &newton](const OnAccept &on_accept) {
-      return run_quasi_static(weak_form,
-                              newton,
-                              increments,
-                              end_time,
-                              on_accept);
+      increments_of(parameters, tools.end_time, state);
+    Inertia &inertia = add_inertia(scene, parameters, system);
+    return [=, &parameters, &inertia](const OnAccept &on_accept) {
+      return run_dynamics(tools.weak_form,
+                          tools.newton,
+                          inertia,
+                          parameters.integrator,
+                          increments,
+                          tools.end_time,
+                          on_accept);
     };
   }
 
   template Strategy make_strategy<2>(const Scene<2> &,
                                      const SceneParameters &,
                                      SceneSystem<2> &,
-                                     NonlinearSolver &,
+                                     const StrategyTools &,
                                      IncrementState &);
   template Strategy make_strategy<3>(const Scene<3> &,
                                      const SceneParameters &,
                                      SceneSystem<3> &,
-                                     NonlinearSolver &,
+                                     const StrategyTools &,
                                      IncrementState &);
 } // namespace demold

@@ -35,7 +35,9 @@ namespace demold
         , communicator(MPI_COMM_WORLD)
         , linear_solver(parameters.linear_solver_of_scene(), communicator)
         , newton(make_nonlinear_solver(parameters.newton, linear_solver))
-        , recorder(context, has_interface(scene, parameters))
+        , recorder(context,
+                   has_interface(scene, parameters),
+                   parameters.strategy == "arc length")
       {}
 
       RunStatus run();
@@ -134,13 +136,10 @@ namespace demold
       Checkpoint checkpoint(context.output_folder, communicator);
       system->weak_form->save(checkpoint.stream());
       checkpoint.put(recorder.save());
-      checkpoint.put({increment_state.dt,
-                      increment_state.last_dt,
-                      static_cast<double>(increments),
-                      last_contact,
-                      newton->largest_force,
-                      static_cast<double>(increment_state.rejected),
-                      static_cast<double>(increment_state.newton_iterations)});
+      checkpoint.put(
+        {static_cast<double>(increments), last_contact, newton->largest_force});
+      checkpoint.put(increment_state.save());
+      checkpoint.put(increment_state.path);
       checkpoint.put(linear_solver.statistics().counts());
       checkpoint.put(fields->times());
       checkpoint.finish();
@@ -152,15 +151,12 @@ namespace demold
       RestartFile file(context.restart_folder, communicator);
       system->weak_form->load(file.stream());
       recorder.load(file.get());
-      const auto values        = file.get();
-      increment_state.dt       = values.at(0);
-      increment_state.last_dt  = values.at(1);
-      increments               = static_cast<unsigned int>(values.at(2));
-      last_contact             = values.at(3);
-      newton->largest_force    = values.at(4);
-      increment_state.rejected = static_cast<unsigned int>(values.at(5));
-      increment_state.newton_iterations =
-        static_cast<unsigned int>(values.at(6));
+      const auto values     = file.get();
+      increments            = static_cast<unsigned int>(values.at(0));
+      last_contact          = values.at(1);
+      newton->largest_force = values.at(2);
+      increment_state.load(file.get());
+      increment_state.path = file.get();
       linear_solver.continue_from(
         LinearSolverStatistics::from_counts(file.get()));
       fields->restart(file.get());
@@ -207,8 +203,17 @@ namespace demold
       const bool is_restart = !context.restart_folder.empty();
       if (!is_restart)
         fields->write_first();
-      const Strategy strategy =
-        make_strategy(scene, parameters, *system, *newton, increment_state);
+      const Strategy strategy = make_strategy(scene,
+                                              parameters,
+                                              *system,
+                                              {*system->weak_form,
+                                               *newton,
+                                               linear_solver,
+                                               scene.end_time,
+                                               [this](const std::string &text) {
+                                                 recorder.note(text);
+                                               }},
+                                              increment_state);
       if (is_restart)
         read_checkpoint();
       return finish(strategy(

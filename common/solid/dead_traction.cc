@@ -3,6 +3,7 @@
 #include "solid/dead_traction.h"
 
 #include "weak_form/assembler.h"
+#include "weak_form/dead_load.h"
 #include "weak_form/vector_io.h"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -18,7 +19,9 @@ namespace demold
 
   namespace
   {
-    class DeadTraction : public Term
+    class DeadTraction
+      : public Term
+      , public DeadLoad
     {
     public:
       std::string name() const override
@@ -41,9 +44,11 @@ namespace demold
         const Tensor<1, 3>     T     = traction(now.time);
         const Tensor<1, 3>     T_old = traction(now.time - now.dt);
         dealii::Vector<double> r(1);
-        work = 0.;
+        work  = 0.;
+        moved = Tensor<1, 3>();
         for (std::size_t k = 0; k < unknowns.size(); ++k)
           {
+            moved[components[k]] += areas[k] * now.u(unknowns[k]);
             const Assembler::Indices index = {unknowns[k]};
             r(0)                           = -areas[k] * T[components[k]];
             assembler.add(index, r);
@@ -87,13 +92,19 @@ namespace demold
         work           = 0.;
       }
 
+      double potential(const double time) const override
+      {
+        return traction(time) * moved;
+      }
+
       std::function<Tensor<1, 3>(double)>  traction;
       std::vector<types::global_dof_index> unknowns;
       std::vector<unsigned int>            components;
       std::vector<double>                  areas; ///< integral of N [mm^2]
 
     private:
-      double work = 0., committed_work = 0.;
+      double       work = 0., committed_work = 0.; ///< [mJ]
+      Tensor<1, 3> moved; ///< integral of u at the last assembly [mm^3]
     };
   } // namespace
 

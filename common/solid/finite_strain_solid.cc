@@ -108,7 +108,7 @@ namespace demold
                                    (laws.size() > 1 ? k * points.size() : 0),
                                  laws.size() > 1 ? 1 : 0,
                                  volume,
-                                 now.dt,
+                                 now.elapsed,
                                  committed.data() + k * stride,
                                  trial.data() + k * stride,
                                  with_tangent,

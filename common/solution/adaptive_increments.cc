@@ -15,6 +15,22 @@ namespace demold
 {
   using namespace dealii;
 
+  std::vector<double> IncrementState::save() const
+  {
+    return {dt,
+            last_dt,
+            static_cast<double>(rejected),
+            static_cast<double>(newton_iterations)};
+  }
+
+  void IncrementState::load(const std::vector<double> &values)
+  {
+    dt                = values.at(0);
+    last_dt           = values.at(1);
+    rejected          = static_cast<unsigned int>(values.at(2));
+    newton_iterations = static_cast<unsigned int>(values.at(3));
+  }
+
   void IncrementParameters::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter("first increment",
@@ -179,8 +195,12 @@ namespace demold
         else
           dt = step * std::min(1., verdict.factor);
         dt = std::max(dt, std::min(step, parameters.smallest));
-        if (!on_accept(
-              {weak_form.time(), step, report, hooks.name, result.rejected}))
+        if (!on_accept({weak_form.time(),
+                        step,
+                        report,
+                        hooks.name,
+                        result.rejected,
+                        {}}))
           return result;
       }
     return result;

@@ -4,9 +4,12 @@
 #define demold_solution_strategy_h
 
 #include "solution/nonlinear_solver.h"
+#include "solution/stability_monitor.h"
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -22,6 +25,11 @@ namespace demold
     double last_dt = 0.; ///< [s] last one, 0 if nothing to extrapolate from
     unsigned int rejected          = 0; ///< increments, so far
     unsigned int newton_iterations = 0; ///< so far, also of rejected increments
+    std::vector<double> path; ///< where path following stands; empty: nowhere
+
+    /// All but the path, for checkpoints.
+    std::vector<double> save() const;
+    void                load(const std::vector<double> &values);
   };
 
   /// Increments of time, section Solution. Zero means: chosen by the scene.
@@ -39,6 +47,18 @@ namespace demold
     void check() const;
   };
 
+  /// What is special about a point of a path.
+  struct PathPoint
+  {
+    /// static path: behind the clock, out of reach of the machine; envelope:
+    /// what the machine sees; jump: where it comes back to the clock.
+    std::string      kind;
+    std::string      constraint;    ///< by which it was found
+    double           clock    = 0.; ///< [s] latest time so far
+    double           released = 0.; ///< [mJ] by the excursion that ends here
+    StabilityReading stability;
+  };
+
   /// One accepted increment.
   struct IncrementRecord
   {
@@ -47,6 +67,8 @@ namespace demold
     NewtonReport newton;
     std::string  strategy;
     unsigned int rejected; ///< so far
+
+    std::optional<PathPoint> path; ///< of path following only
   };
 
   /// Called after each accepted increment; false ends the run.
@@ -61,6 +83,9 @@ namespace demold
     unsigned int increments        = 0;
     unsigned int rejected          = 0;
     unsigned int newton_iterations = 0;
+
+    /// What was chosen and why, in the order of events.
+    std::vector<std::string> events;
   };
 } // namespace demold
 

@@ -32,12 +32,16 @@ namespace demold
   {
     const Vector &u;         ///< [mm] trial at t_{n+1}
     const Vector &u_old;     ///< [mm] accepted at t_n
-    double        time;      ///< [s]  t_{n+1}
-    double        dt;        ///< [s]  t_{n+1} - t_n
+    double        time;      ///< [s]  t_{n+1} of supports, mould and loads
+    double        dt;        ///< [s]  t_{n+1} - t_n, negative on the way back
     unsigned int  iteration; ///< of Newton, 0 first
 
     /// Is u only what the last increment makes expect?
     bool extrapolated = false;
+
+    /// Time [s] that passes for the material: dt, but 0 while a path is behind
+    /// the latest time it has been to (theory D.2, rate dependence).
+    double elapsed = dt;
   };
 
   /// How a term enters a time integrator: `bulk` forces are blended between

@@ -138,6 +138,21 @@ namespace demold
     supports.values(time, prescribed);
   }
 
+  void WeakForm::move_to(const double time)
+  {
+    new_time = time;
+    supports.values(time, prescribed);
+    set_trial_at_supports();
+  }
+
+  void WeakForm::set_trial_at_supports()
+  {
+    for (std::size_t k = 0; k < supports.unknowns.size(); ++k)
+      if (owned.is_element(supports.unknowns[k]))
+        trial(supports.unknowns[k]) = prescribed[k];
+    trial.compress(VectorOperation::insert);
+  }
+
   Configuration WeakForm::configuration(const unsigned int iteration) const
   {
     return {ghosted_trial,
@@ -145,7 +160,8 @@ namespace demold
             new_time,
             new_time - accepted_time,
             iteration,
-            is_extrapolated && iteration == 0};
+            is_extrapolated && iteration == 0,
+            std::max(0., new_time - latest_time)};
   }
 
   bool WeakForm::prescribe_increments()
@@ -236,12 +252,7 @@ namespace demold
   {
     trial.add(factor, du);
     if (factor == 1.) // supports exactly, whatever the linear solver left
-      {
-        for (std::size_t k = 0; k < supports.unknowns.size(); ++k)
-          if (owned.is_element(supports.unknowns[k]))
-            trial(supports.unknowns[k]) = prescribed[k];
-        trial.compress(VectorOperation::insert);
-      }
+      set_trial_at_supports();
   }
 
   double WeakForm::work_of_supports() const
@@ -263,6 +274,7 @@ namespace demold
     accepted_force   = force;
     accepted_bulk    = bulk;
     accepted_time    = new_time;
+    latest_time      = std::max(latest_time, new_time);
     for (const auto &term : terms)
       term->commit();
   }
@@ -350,7 +362,7 @@ namespace demold
       write_owned(out, *v);
     write_owned(out, accepted);
     write_owned(out, previous_increment);
-    write_values(out, {accepted_time, accepted_external});
+    write_values(out, {accepted_time, accepted_external, latest_time});
     const auto kept = retired.as_array();
     write_values(out, {kept.begin(), kept.end()});
     for (const auto &term : terms)
@@ -367,6 +379,7 @@ namespace demold
     const auto values = read_values(in);
     accepted_time = new_time                     = values.at(0);
     accepted_external                            = values.at(1);
+    latest_time                                  = values.at(2);
     const auto                              kept = read_values(in);
     std::array<double, Energies::n_entries> entries;
     std::copy_n(kept.begin(), entries.size(), entries.begin());

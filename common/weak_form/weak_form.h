@@ -76,6 +76,10 @@ namespace demold
     /// displacements plus @p extrapolation times the last increment.
     void begin_increment(double time, double extrapolation);
 
+    /// Moves supports, mould and loads of the trial to @p time, the free
+    /// unknowns left where they are: for paths that look for their own time.
+    void move_to(double time);
+
     /// Residual and, where asked, tangent at the trial. Returns false if the
     /// trial is inadmissible on any rank.
     bool assemble(bool with_tangent, unsigned int iteration);
@@ -146,6 +150,26 @@ namespace demold
       return accepted_time;
     }
 
+    /// Time [s] of the trial.
+    double trial_time() const
+    {
+      return new_time;
+    }
+
+    /// Largest accepted time [s] so far: what the clock shows. Time passes for
+    /// the material beyond it only, so that a path may go back and come again
+    /// with everything that relaxes held frozen (theory D.2).
+    double clock() const
+    {
+      return latest_time;
+    }
+
+    /// Accepted unknowns less those before.
+    const Vector &last_increment() const
+    {
+      return previous_increment;
+    }
+
     /// How often the pattern was built; the linear solver forgets with it.
     unsigned int pattern_number() const
     {
@@ -159,6 +183,7 @@ namespace demold
     void          build_pattern();
     Configuration configuration(unsigned int iteration) const;
     bool          prescribe_increments();
+    void          set_trial_at_supports();
     double        work_of_supports() const;
 
     DisplacementSpace                  space;
@@ -173,6 +198,7 @@ namespace demold
     double                             bulk_weight     = 1.;
     double                             accepted_time   = 0.;
     double                             new_time        = 0.;
+    double                             latest_time     = 0.;
     Energies                           retired; // of removed terms
     double                             accepted_external = 0.;
 

@@ -124,7 +124,15 @@ namespace
       , system(scene, parameters, MPI_COMM_WORLD)
       , linear_solver(parameters.linear_solver, MPI_COMM_WORLD)
       , newton(make_nonlinear_solver(parameters.newton, linear_solver))
-      , strategy(make_strategy(scene, parameters, system, *newton, state))
+      , strategy(make_strategy(scene,
+                               parameters,
+                               system,
+                               {*system.weak_form,
+                                *newton,
+                                linear_solver,
+                                scene.end_time,
+                                [](const std::string &) {}},
+                               state))
     {}
 
     WeakForm &form()

@@ -38,7 +38,7 @@ namespace
     RunContext    context;
     context.output_folder = folder.path.string();
     context.quiet         = true;
-    Recorder recorder(context, true);
+    Recorder recorder(context, true, false);
     for (unsigned int k = 0; k <= 20; ++k)
       {
         auto e = closed_books(k / 20.);

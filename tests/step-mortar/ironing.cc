@@ -54,9 +54,8 @@ namespace demold
 
   TEST(Ironing, oscillates_less_than_node_to_segment_does)
   {
-    // as deep as node to segment gets by
     // as deep, and with penalties as high, as node to segment gets by
-    const Entries  short_way{"Process/end time=2",
+    const Entries  short_way{"Process/end time=1.8",
                             "Supports/motion y=-0.3*min(t,1)",
                             "Contact/penalty=300",
                             "Friction/penalty=300"};

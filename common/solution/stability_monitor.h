@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Is the equilibrium stable? Signs of the tangent's pivots.
+#ifndef demold_solution_stability_monitor_h
+#define demold_solution_stability_monitor_h
+
+namespace demold
+{
+  class LinearSolver;
+  class WeakForm;
+
+  /// What a factor of the tangent tells (theory D.3).
+  struct StabilityReading
+  {
+    /// Negative eigenvalues (Sylvester): 0 stable, 1 beyond a limit point, more
+    /// after a bifurcation; -1 unknown: the tangent is unsymmetric or singular.
+    int negative_pivots = -1;
+
+    /// Sign of the determinant; 0 where it is singular.
+    int determinant_sign = 0;
+  };
+
+  /// Factorises the tangent at the trial, whose residual was the last to be
+  /// assembled in iteration @p iteration. Costs an assembly and a factor, so
+  /// that it is only called where somebody asks.
+  StabilityReading read_stability(WeakForm          &weak_form,
+                                  LinearSolver      &linear_solver,
+                                  const unsigned int iteration);
+} // namespace demold
+
+#endif
