@@ -154,13 +154,13 @@ namespace demold
   }
 
   /// What no constraint can follow is jumped over, as in quasi-statics: forward
-  /// in time to an equilibrium, whatever that releases; the ledger shows it.
+  /// in time to the nearest equilibrium that is found, whatever that releases;
+  /// the ledger shows it.
   bool PathFollower::jump()
   {
-    const double rest = next_mark() - weak_form.time();
-    for (double dt = std::min(increments.largest, rest);
-         dt >= increments.smallest;
-         dt *= .5)
+    const double most =
+      std::min(increments.largest, next_mark() - weak_form.time());
+    for (double dt = 1e-3 * most; dt <= most; dt *= 2.)
       {
         look();
         weak_form.begin_increment(weak_form.time() + dt, 0.);
