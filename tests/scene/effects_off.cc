@@ -261,6 +261,17 @@ namespace
            << "CPU times over those of the bare strip: "
            << testing::PrintToString(ratios);
   }
+
+  /// Median of all attempts: one that the machine has disturbed says nothing.
+  double usual_cost_ratio(const std::string &entries)
+  {
+    std::vector<double> ratios;
+    for (unsigned int k = 0; k < n_attempts; ++k)
+      ratios.push_back(cost_ratio(entries));
+    const auto middle = ratios.begin() + n_attempts / 2;
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    return *middle;
+  }
 } // namespace
 
 TEST(EffectsOff, leave_an_elastic_solid_without_contact_without_history)
@@ -300,5 +311,5 @@ TEST(EffectsOff, cost_no_cpu_time)
 TEST(EffectsOff, are_seen_by_their_cpu_time_when_switched_on)
 {
   for (const Switch &effect : effects)
-    EXPECT_FALSE(costs_nothing(off + effect.entry)) << effect.name;
+    EXPECT_GT(usual_cost_ratio(off + effect.entry), tolerated) << effect.name;
 }
