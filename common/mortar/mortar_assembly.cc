@@ -77,9 +77,10 @@ namespace demold
     increment     = Increment();
     state_changes = 0;
     settled       = true;
-    trial         = committed;
-    normals       = mortar.normals();
-    rows          = mortar.rows(row_demand(state, assembler.with_tangent()));
+    largest_found = largest_behind = 0.;
+    trial                          = committed;
+    normals                        = mortar.normals();
+    rows = mortar.rows(row_demand(state, assembler.with_tangent()));
 
     for (unsigned int own = 0; own < trial.size(); ++own)
       if (!resolvent.holds(committed[own].law) && !is_opposed(state, own))

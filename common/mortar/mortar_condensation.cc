@@ -4,6 +4,7 @@
 #include "mortar/mortar_term.h"
 #include "weak_form/condensed_rows.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
@@ -14,7 +15,8 @@ namespace demold
 
   namespace
   {
-    /// Largest change that may be left of an eliminated multiplier, over it.
+    /// Largest change that may be left of an eliminated multiplier, over the
+    /// largest one.
     constexpr double eliminated_tolerance = 1e-5;
 
     /// Inverse of a matrix whose rows and columns from @p dim on are zero.
@@ -49,6 +51,10 @@ namespace demold
       if (has_own_rows(own) &&
           (resolvent.holds(committed[own].law) || is_opposed(state, own)))
         condense_point(state, system, own);
+    // Newton does not see how far eliminated multipliers are from their end.
+    for (double *x : {&largest_found, &largest_behind})
+      *x = Utilities::MPI::max(*x, communicator);
+    settled = settled && largest_behind <= eliminated_tolerance * largest_found;
     seconds += timer.wall_time();
   }
 
@@ -106,7 +112,7 @@ namespace demold
       columns.indices,
       direct_dependence(response, scaling, balanced, gap, columns, components));
     account(state, own, input, response, gap);
-    settled = settled && is_small(behind, own);
+    keep_largest(found[own], behind);
   }
 
   /// Keeps D (lambda + dlambda) = f - lift + K du for the next iteration.
@@ -145,12 +151,11 @@ namespace demold
     eliminated[own].remember(balanced, -lift, indices, dlambda, state.u);
   }
 
-  /// Newton does not see how far an eliminated multiplier is from its end.
-  bool MortarTerm::is_small(const Tensor<1, 3> &change,
-                            const unsigned int  own) const
+  void MortarTerm::keep_largest(const Tensor<1, 3> &lambda,
+                                const Tensor<1, 3> &behind)
   {
-    return change.norm() <=
-           eliminated_tolerance * (found[own].norm() + change.norm() + 1e-6);
+    largest_found  = std::max(largest_found, lambda.norm());
+    largest_behind = std::max(largest_behind, behind.norm());
   }
 
   /// -dR/du at lambda = f/D, without the part through f, in the rows of
@@ -238,7 +243,7 @@ namespace demold
       }
     add_forces(assembler, unknowns, 1., r, k);
     account(state, own, input, response, gap);
-    settled = settled && is_small(offset, own);
+    keep_largest(found[own], offset);
   }
 
 } // namespace demold

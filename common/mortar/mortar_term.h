@@ -159,8 +159,8 @@ namespace demold
                          const dealii::Tensor<1, 3> &balanced,
                          const PointGap             &gap,
                          const NodalUnknowns        &columns);
-    bool is_small(const dealii::Tensor<1, 3> &change,
-                  const unsigned int          own) const;
+    void keep_largest(const dealii::Tensor<1, 3> &lambda,
+                      const dealii::Tensor<1, 3> &behind);
     dealii::FullMatrix<double>
          direct_dependence(const ConstraintResponse        &response,
                            const dealii::Tensor<2, 3>      &scaling,
@@ -188,7 +188,9 @@ namespace demold
     std::vector<bool> driven; ///< all nodes around, in some component
     std::vector<dealii::Tensor<1, 3>> found; ///< lambda [MPa] if condensed
     std::vector<EliminatedMultiplier> eliminated;
-    dealii::types::global_dof_index   first_multiplier = 0;
+    double largest_found  = 0.; ///< [MPa] eliminated lambda
+    double largest_behind = 0.; ///< [MPa] what Newton still changes of it
+    dealii::types::global_dof_index first_multiplier = 0;
 
     // One entry per own point.
     std::vector<FrozenRow>         frozen;
