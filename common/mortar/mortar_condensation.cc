@@ -16,7 +16,7 @@ namespace demold
   namespace
   {
     /// Largest change that may be left of an eliminated multiplier, over the
-    /// largest one.
+    /// largest one so far.
     constexpr double eliminated_tolerance = 1e-5;
 
     /// Inverse of a matrix whose rows and columns from @p dim on are zero.
@@ -54,7 +54,9 @@ namespace demold
     // Newton does not see how far eliminated multipliers are from their end.
     for (double *x : {&largest_found, &largest_behind})
       *x = Utilities::MPI::max(*x, communicator);
-    settled = settled && largest_behind <= eliminated_tolerance * largest_found;
+    settled =
+      settled && largest_behind <= eliminated_tolerance *
+                                     std::max(largest_found, largest_accepted);
     seconds += timer.wall_time();
   }
 

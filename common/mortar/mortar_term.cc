@@ -186,7 +186,8 @@ namespace demold
   {
     for (unsigned int own = 0; own < committed.size(); ++own)
       just_closed[own] = trial[own].closed && !committed[own].closed;
-    committed = trial;
+    committed        = trial;
+    largest_accepted = std::max(largest_accepted, largest_found);
     keep_slip_rows();
     if (description.adhesion && description.adhesion->rest_efficiency > 0.)
       bond_again();

@@ -188,8 +188,9 @@ namespace demold
     std::vector<bool> driven; ///< all nodes around, in some component
     std::vector<dealii::Tensor<1, 3>> found; ///< lambda [MPa] if condensed
     std::vector<EliminatedMultiplier> eliminated;
-    double largest_found  = 0.; ///< [MPa] eliminated lambda
-    double largest_behind = 0.; ///< [MPa] what Newton still changes of it
+    double largest_found    = 0.; ///< [MPa] eliminated lambda
+    double largest_accepted = 0.; ///< [MPa] of all increments
+    double largest_behind   = 0.; ///< [MPa] what Newton still changes of it
     dealii::types::global_dof_index first_multiplier = 0;
 
     // One entry per own point.
