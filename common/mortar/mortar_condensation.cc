@@ -247,5 +247,4 @@ namespace demold
     account(state, own, input, response, gap);
     keep_largest(found[own], offset);
   }
-
 } // namespace demold

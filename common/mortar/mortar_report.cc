@@ -199,8 +199,9 @@ namespace demold
         bond.row.serialize(writer);
         slip.serialize(writer);
       }
-    Energies work = committed_work;
-    writer &work.friction &work.impact &work.external &work.stored;
+    Energies work    = committed_work;
+    double   largest = largest_accepted;
+    writer &work.friction &work.impact &work.external &work.stored &largest;
     write_values(out, writer.values);
   }
 
@@ -216,7 +217,7 @@ namespace demold
         slip_rows[own].serialize(reader);
       }
     reader &committed_work.friction &committed_work.impact &committed_work
-      .external &committed_work.stored;
+      .external &committed_work.stored &largest_accepted;
     revert();
   }
 } // namespace demold

@@ -24,47 +24,54 @@ namespace demold
   void MortarTerm::find_compliance(
     const std::function<bool(types::global_dof_index)> &is_held)
   {
+    const std::size_t n = committed.size();
+    compliance.resize(n);
+    leaning.resize(n);
+    free.resize(n);
+    driven.assign(n, false);
+    shared.assign(n, false);
     std::vector<unsigned int> points_at_node(surfaces.n_slave_nodes(), 0);
     for (const SlavePoint &point : surfaces.points())
       ++points_at_node[point.node];
-    for (unsigned int own = 0; own < committed.size(); ++own)
+    for (unsigned int own = 0; own < n; ++own)
       {
-        std::set<unsigned int> around;
-        for (const unsigned int face : point(own).facets)
-          surfaces.add_slave_nodes(face, around);
-        compliance.emplace_back();
-        leaning.emplace_back();
-        free.emplace_back();
-        driven.push_back(false);
-        shared.push_back(points_at_node[point(own).node] > 1);
+        shared[own] = points_at_node[point(own).node] > 1;
         for (unsigned int d = 0; d < surfaces.dim(); ++d)
-          if (!is_held(surfaces.node(point(own).node).unknowns[d]))
-            free[own].push_back(d);
-        for (unsigned int d = 0; d < surfaces.dim(); ++d)
-          {
-            const auto held = [&](const unsigned int node) {
-              return is_held(surfaces.node(node).unknowns[d]);
-            };
-            const bool all_held =
-              std::all_of(around.begin(), around.end(), held);
-            driven[own] = driven[own] || all_held;
-            if (all_held)
-              compliance[own][d] = vanishing_compliance;
-            else if (held(point(own).node) || shared[own])
-              compliance[own][d] = description.dual_multipliers ?
-                                     vanishing_compliance :
-                                     neighbour_compliance;
-            leaning[own].leans[d] = !description.dual_multipliers &&
-                                    !all_held && !shared[own] &&
-                                    held(point(own).node);
-            if (leaning[own].leans[d])
-              leaning[own].points = neighbours(own);
-          }
+          find_compliance(is_held, own, d);
         if (is_condensed() && !has_own_rows(own))
           for (unsigned int d = 0; d < surfaces.dim(); ++d)
             compliance[own][d] =
               std::max(compliance[own][d], vanishing_compliance);
         compliance[own] /= stiffness;
+      }
+  }
+
+  /// In direction @p d, over 1/c_N.
+  void MortarTerm::find_compliance(
+    const std::function<bool(types::global_dof_index)> &is_held,
+    const unsigned int                                  own,
+    const unsigned int                                  d)
+  {
+    const auto held = [&](const unsigned int node) {
+      return is_held(surfaces.node(node).unknowns[d]);
+    };
+    std::set<unsigned int> around;
+    for (const unsigned int face : point(own).facets)
+      surfaces.add_slave_nodes(face, around);
+    const bool all_held       = std::all_of(around.begin(), around.end(), held);
+    const bool is_fixed       = held(point(own).node);
+    const bool reaches_others = !all_held && !description.dual_multipliers;
+
+    if (!is_fixed)
+      free[own].push_back(d);
+    driven[own] = driven[own] || all_held;
+    if (is_fixed || shared[own])
+      compliance[own][d] =
+        reaches_others ? neighbour_compliance : vanishing_compliance;
+    if (is_fixed && reaches_others && !shared[own])
+      {
+        leaning[own].leans[d] = true;
+        leaning[own].points   = neighbours(own);
       }
   }
 

@@ -102,6 +102,10 @@ namespace demold
 
     void find_compliance(
       const std::function<bool(dealii::types::global_dof_index)> &is_held);
+    void find_compliance(
+      const std::function<bool(dealii::types::global_dof_index)> &is_held,
+      const unsigned int                                          own,
+      const unsigned int                                          d);
     std::vector<unsigned int> neighbours(const unsigned int own) const;
     void                      start_points();
     void                      bond(const unsigned int own);
