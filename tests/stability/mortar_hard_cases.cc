@@ -158,7 +158,7 @@ namespace demold
                   "base left xyz, base front xyz, base bottom xyz"}));
   }
 
-  // Above its bound (theory C8): 2 MPa/mm. On curved surfaces from 1e7 on
+  // Above its bound (theory C8): 2 MPa/mm. On curved surfaces from 1e6 on
   // rounding makes points flicker between open and closed.
   TEST_P(MortarHardCases, augmentations_over_8_decades_change_no_result)
   {
