@@ -2,7 +2,9 @@
 // A point without pressure: all rows of the point law with lambda_hat_N > 0.
 #include "adhesion/resolvent_branch.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace demold
 {
@@ -20,8 +22,8 @@ namespace demold
 
 
 
-    // p = (lambda_hat_N, b/a lambda_hat_T) of norm size, m = p/|p|, and
-    // g = (q_N, q_T/b). Pressure being absent, size is positive.
+    // p = (lambda_hat_N, b/a lambda_hat_T) of norm size > 0, m = p/|p|, and
+    // g = (q_N, q_T/b).
     void set_gap(const AugmentedTraction &traction,
                  const ModeFactors       &factors,
                  const double             size,
@@ -57,8 +59,9 @@ namespace demold
     const ModeFactors factors = law.factors();
     const double      c       = law.penalty;
     const double      size =
-      std::hypot(traction.normal,
-                 factors.b / factors.a * traction.tangential.norm());
+      std::max(std::hypot(traction.normal,
+                          factors.b / factors.a * traction.tangential.norm()),
+               std::numeric_limits<double>::min());
     ResolventBranch branch;
     if (!law.holds(old))
       {

@@ -153,7 +153,7 @@ namespace demold
     Assert(!adhesion || adhesion->onset_gap() == 0.,
            ExcMessage("The softening must be rigid."));
     const bool   held    = holds(old);
-    const bool   pressed = traction.normal <= 0.;
+    const bool   pressed = traction.is_pressed();
     const double weight = held ? adhesion->friction_weight(old.bond.kappa) : 1.;
     const double coefficient = old.may_stick ? friction * weight : 0.;
 

@@ -34,6 +34,13 @@ namespace demold
     /// lambda_T + c_T g_T [MPa], in the tangent plane. g_T is the whole slip
     /// from the anchor while a bond holds, else the slip of the increment.
     dealii::Tensor<1, 3> tangential;
+    /// Which rows hold, where something else than the sign of normal decides.
+    std::optional<bool> pressed;
+
+    bool is_pressed() const
+    {
+      return pressed.value_or(normal <= 0.);
+    }
   };
 
   /// History of one point; the default is a point without bond, open.

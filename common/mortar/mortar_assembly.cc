@@ -122,7 +122,7 @@ namespace demold
           const Tensor<1, 3> &n = normals[own].n;
           const double        gap =
             n * weighted_gap(surfaces, values[own]) / values[own].area;
-          if (holds_at_start(state, own) ||
+          if (is_pressed(state, own).value_or(false) ||
               (is_condensed() && (committed[own].closed || gap <= 0.)) ||
               n * multiplier(state, own) + resolvent.penalty * gap <= 0.)
             demand[own] = RowDemand::derivatives;
@@ -185,7 +185,7 @@ namespace demold
     input.sprung     = input.traction - leaned_on(state, own);
     for (unsigned int d = 0; d < 3; ++d)
       input.old_gap[d] -= compliance[own][d] * committed[own].sprung[d];
-    input.is_pressed = holds_at_start(state, own);
+    input.pressed = is_pressed(state, own);
     return input;
   }
 
@@ -238,12 +238,15 @@ namespace demold
     if (assembler.with_tangent())
       {
         local.add(m, m, gap.area * (scaling * response.dtraction));
+        const Tensor<2, 3> dgap = scaling * response.dgap;
+        const Tensor<2, 3> dnormal =
+          scaling * response.dnormal +
+          turning(scaling, response.residual, input.normal);
         for (unsigned int l = 0; l < gap.nodes.size(); ++l)
           local.add(m,
                     l,
-                    scaling * (gap.area * (response.dgap * gap.dgap[l] +
-                                           response.dnormal * gap.dnormal[l]) +
-                               outer_product(response.residual, gap.darea[l])));
+                    gap.area * (dgap * gap.dgap[l] + dnormal * gap.dnormal[l]) +
+                      outer_product(scaling * response.residual, gap.darea[l]));
         for (unsigned int i = 0; i < leaning[own].points.size(); ++i)
           local.add(m,
                     m + 1 + i,

@@ -90,9 +90,9 @@ namespace demold
     const Tensor<2, 3> scaling =
       row_scaling(response.dgap, resolvent.penalty, stiffness, components);
     const Tensor<1, 3> behind = balanced - found[own];
-    const Tensor<1, 3> scaled =
-      scaling * (response.residual + response.dtraction * behind);
-    const Tensor<2, 3>     dscaled = scaling * response.dtraction;
+    const Tensor<1, 3> rest   = response.residual + response.dtraction * behind;
+    const Tensor<1, 3> scaled = scaling * rest;
+    const Tensor<2, 3> dscaled = scaling * response.dtraction;
     dealii::Vector<double> residual(n);
     FullMatrix<double>     T(n, n);
     for (unsigned int i = 0; i < n; ++i)
@@ -107,12 +107,19 @@ namespace demold
       columns.add(surfaces.node(gap.nodes[l]), l, surfaces.dim());
     if (system.with_tangent())
       remember_linear(state, system, own, balanced, gap, columns);
-    system.replace(
-      rows_of_node,
-      residual,
-      T,
-      columns.indices,
-      direct_dependence(response, scaling, balanced, gap, columns, components));
+    const Tensor<2, 3> dnormal =
+      scaling * response.dnormal + turning(scaling, rest, input.normal);
+    system.replace(rows_of_node,
+                   residual,
+                   T,
+                   columns.indices,
+                   direct_dependence(scaling * response.dgap,
+                                     dnormal,
+                                     scaling * (response.residual -
+                                                response.dtraction * balanced),
+                                     gap,
+                                     columns,
+                                     components));
     account(state, own, input, response, gap);
     keep_largest(found[own], behind);
   }
@@ -161,11 +168,11 @@ namespace demold
   }
 
   /// -dR/du at lambda = f/D, without the part through f, in the rows of
-  /// @p components.
+  /// @p components; derivatives of the scaled residual are given.
   FullMatrix<double> MortarTerm::direct_dependence(
-    const ConstraintResponse        &response,
-    const Tensor<2, 3>              &scaling,
-    const Tensor<1, 3>              &balanced,
+    const Tensor<2, 3>              &dgap,
+    const Tensor<2, 3>              &dnormal,
+    const Tensor<1, 3>              &darea,
     const PointGap                  &gap,
     const NodalUnknowns             &columns,
     const std::vector<unsigned int> &components) const
@@ -176,13 +183,10 @@ namespace demold
         const unsigned int l = columns.entries[k] / 3;
         const unsigned int d = columns.entries[k] % 3;
         const Tensor<2, 3> change =
-          gap.area *
-            (response.dgap * gap.dgap[l] + response.dnormal * gap.dnormal[l]) +
-          outer_product(response.residual - response.dtraction * balanced,
-                        gap.darea[l]);
-        const Tensor<2, 3> scaled = scaling * change;
+          gap.area * (dgap * gap.dgap[l] + dnormal * gap.dnormal[l]) +
+          outer_product(darea, gap.darea[l]);
         for (unsigned int i = 0; i < components.size(); ++i)
-          result(i, k) = -scaled[components[i]][d];
+          result(i, k) = -change[components[i]][d];
       }
     return result;
   }

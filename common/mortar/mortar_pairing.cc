@@ -71,6 +71,21 @@ namespace demold
            committed[own].traction.norm_square() == 0.;
   }
 
+  /// Surfaces that touch at the start hold each other in the first iteration.
+  /// Later a closed point stays closed as long as its multiplier presses, an
+  /// open one closes when its gap does, whatever c_N is (primal-dual active
+  /// set).
+  std::optional<bool> MortarTerm::is_pressed(const Configuration &state,
+                                             const unsigned int   own) const
+  {
+    if (holds_at_start(state, own))
+      return true;
+    if (resolvent.holds(committed[own].law) ||
+        newton_memory[own].contact == ContactStatus::open)
+      return {};
+    return normals[own].n * multiplier(state, own) < 0.;
+  }
+
   /// Does the point have a part of the other surface before it, and is that
   /// believed? A point closes by coming through the gap: a rigid surface that
   /// it already was behind at t_n, without touching it, is not (as in

@@ -175,9 +175,14 @@ namespace demold
     if (state.iteration == 0)
       {
         last_dt = state.elapsed;
-        newton_memory.assign(newton_memory.size(), NewtonMemory());
         for (unsigned int own = 0; own < committed.size(); ++own)
-          eliminated[own].restart(committed[own].traction);
+          {
+            newton_memory[own]         = NewtonMemory();
+            newton_memory[own].contact = committed[own].closed ?
+                                           ContactStatus::closed :
+                                           ContactStatus::open;
+            eliminated[own].restart(committed[own].traction);
+          }
       }
     seconds += timer.wall_time();
   }

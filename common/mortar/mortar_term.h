@@ -13,6 +13,7 @@
 #include "mortar/point_gap.h"
 
 #include <functional>
+#include <optional>
 
 namespace demold
 {
@@ -127,7 +128,9 @@ namespace demold
     bool                   is_covered(const unsigned int own) const;
     bool is_opposed(const Configuration &, const unsigned int own) const;
     bool holds_at_start(const Configuration &, const unsigned int own) const;
-    bool touches(const unsigned int own) const;
+    std::optional<bool> is_pressed(const Configuration &,
+                                   const unsigned int own) const;
+    bool                touches(const unsigned int own) const;
 
     PointGap        frozen_gap(const unsigned int own) const;
     PointGap        current_gap(const unsigned int own) const;
@@ -166,9 +169,9 @@ namespace demold
     void keep_largest(const dealii::Tensor<1, 3> &lambda,
                       const dealii::Tensor<1, 3> &behind);
     dealii::FullMatrix<double>
-         direct_dependence(const ConstraintResponse        &response,
-                           const dealii::Tensor<2, 3>      &scaling,
-                           const dealii::Tensor<1, 3>      &balanced,
+         direct_dependence(const dealii::Tensor<2, 3>      &dgap,
+                           const dealii::Tensor<2, 3>      &dnormal,
+                           const dealii::Tensor<1, 3>      &darea,
                            const PointGap                  &gap,
                            const NodalUnknowns             &columns,
                            const std::vector<unsigned int> &components) const;

@@ -4,8 +4,6 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <algorithm>
-
 namespace demold
 {
   using namespace dealii;
@@ -45,10 +43,10 @@ namespace demold
                                       const ResolventState    &old,
                                       const NewtonMemory      &last)
   {
-    const Tensor<1, 3> &n          = input.normal;
-    const double        c_N        = resolvent.penalty;
-    const double        c_T        = resolvent.tangential_penalty();
-    const Tensor<2, 3>  normal     = outer_product(n, n);
+    const Tensor<1, 3> &n      = input.normal;
+    const double        c_N    = input.pressed == true ? 0. : resolvent.penalty;
+    const double        c_T    = resolvent.tangential_penalty();
+    const Tensor<2, 3>  normal = outer_product(n, n);
     const Tensor<2, 3>  tangential = unit - normal;
     const Tensor<2, 3>  C          = c_T * unit + (c_N - c_T) * normal;
     Tensor<2, 3>        E;
@@ -61,12 +59,11 @@ namespace demold
     turned.slip           = tangential * input.old_gap;
 
     ConstraintResponse response;
-    const double       pressing =
-      input.is_pressed ? std::min(augmented * n, 0.) : augmented * n;
-    response.law          = evaluate_by_rules(resolvent,
-                                     {pressing, tangential * augmented},
-                                     turned,
-                                     last);
+    response.law =
+      evaluate_by_rules(resolvent,
+                        {augmented * n, tangential * augmented, input.pressed},
+                        turned,
+                        last);
     const Tensor<2, 3> dG = by_traction(response.law, n, tangential);
     response.residual     = gap - response.law.gap_N * n - response.law.gap_T;
     response.dgap         = unit - dG * C;
@@ -95,5 +92,16 @@ namespace demold
       for (const unsigned int j : components)
         result[i][j] = a[i][j];
     return result;
+  }
+
+  Tensor<2, 3> turning(const Tensor<2, 3> &scaling,
+                       const Tensor<1, 3> &residual,
+                       const Tensor<1, 3> &normal)
+  {
+    // W x as a linear map of dn, W = dn n - n dn turning n by dn
+    const auto turned = [&](const Tensor<1, 3> &x) {
+      return (normal * x) * unit - outer_product(normal, x);
+    };
+    return turned(scaling * residual) - scaling * turned(residual);
   }
 } // namespace demold

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <vector>
 
 namespace demold
@@ -23,9 +24,10 @@ namespace demold
     /// history.
     dealii::Tensor<1, 3> old_gap;
 
-    /// Pressed whatever the traction says: surfaces that touch at the start
-    /// hold each other in the first iteration.
-    bool is_pressed = false;
+    /// Whether the point is pressed, where the sign of lambda_N + c_N g_N is
+    /// not to decide. lambda_hat_N of a point that is to be pressed is
+    /// lambda_N: what is left of its gap, times a large c_N, would open it.
+    std::optional<bool> pressed;
 
     /// [mm/MPa] by component, where the constraint alone would leave the
     /// multiplier undetermined, else 0: a spring in series, so that the law
@@ -61,6 +63,14 @@ namespace demold
                                    const double                     c_N,
                                    const double                     stiffness,
                                    const std::vector<unsigned int> &components);
+
+  /// What the derivative of scaling * residual by the normal has beyond scaling
+  /// * dresidual: the scaling turns with the normal. Without it the rest of
+  /// the gap of a closed point, times c_N, would be a shear of the first
+  /// iterations.
+  dealii::Tensor<2, 3> turning(const dealii::Tensor<2, 3> &scaling,
+                               const dealii::Tensor<1, 3> &residual,
+                               const dealii::Tensor<1, 3> &normal);
 } // namespace demold
 
 #endif

@@ -115,19 +115,18 @@ TEST(MortarTangent, of_stick_and_slip_matches_differences)
   for (const Case &c : cases())
     for (const double shear : {.0, .03})
       {
+        const Tensor<1, 3>   pressure = up(c.dim, shear > 0. ? .05 : .5);
         InterfaceDescription description;
         description.friction = .3;
         TwoSurfaces  pair    = surfaces(c, description, .1);
         const Values pressed =
-          with_multiplier(pair,
-                          pair.shifted_slave(up(c.dim, -.11)),
-                          up(c.dim, .05));
+          with_multiplier(pair, pair.shifted_slave(up(c.dim, -.11)), pressure);
         pair.accept(pressed);
         const Values state = pair.with_noise(
           with_multiplier(pair,
                           pair.shifted_slave(up(c.dim, -.11) +
                                              vector(2. * shear, 0., 0.)),
-                          up(c.dim, .05) + vector(-shear, 0., 0.)),
+                          pressure + vector(-shear, 0., 0.)),
           .002,
           3);
         pair.evaluate(state, 1);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace demold
 {
@@ -174,6 +175,35 @@ namespace demold
           run_mortar("contact-patch.prm",
                      multipliers() + entry +
                        Entries{"Body/cells=7, 5, 3", "Base/cells=5, 3, 2"}));
+      }
+  }
+
+  // What is left of the gap of a closed point must not open it.
+  TEST_P(MortarHardCases, augmentations_over_8_decades_on_curved_contact)
+  {
+    // Increments may differ, and on them friction depends.
+    const std::vector<std::tuple<std::string, Entries, double>> scenes = {
+      {"hertz-two-bodies.prm",
+       {"Body/fine size=0.1", "Base/grading=1, 0.1", "Base/cells=70, 16"},
+       1e-6},
+      {"cattaneo-mindlin.prm", {"Body/fine size=0.1"}, 1e-3}};
+    for (const auto &[scene, coarse, tolerance] : scenes)
+      {
+        SCOPED_TRACE(scene);
+        double work = 0.;
+        for (const std::string c_N : {"0.1", "1e3", "1e7"})
+          {
+            SCOPED_TRACE(c_N);
+            const SceneRun run =
+              run_mortar(scene,
+                         multipliers() + coarse +
+                           Entries{"Contact/augmentation=" + c_N});
+            expect_completed(run);
+            const double found = run.number("work of demolding [mJ]");
+            if (work == 0.)
+              work = found;
+            EXPECT_NEAR(found, work, tolerance * std::abs(work));
+          }
       }
   }
 
