@@ -2,12 +2,52 @@
 // Smoothed-aggregation multigrid (ML) that knows the rigid-body modes.
 #include "solution/multigrid.h"
 
+#include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
 #include <ml_MultiLevelPreconditioner.h>
 
 namespace demold
 {
   using namespace dealii;
+
+  namespace
+  {
+    /// Takes the columns of unknowns whose own row holds nothing but its
+    /// diagonal out of the other rows, as a support would have done. The
+    /// smoother and its eigenvalues want a matrix close to symmetric.
+    void decouple_fixed_unknowns(SparseMatrix &matrix)
+    {
+      auto &A = const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
+      int  n  = 0, *columns = nullptr;
+      double *values = nullptr;
+      const auto is_diagonal = [&](const int row, const int entry) {
+        return A.GCID(columns[entry]) == A.GRID(row);
+      };
+
+      Epetra_Vector fixed(A.RowMap());
+      for (int row = 0; row < A.NumMyRows(); ++row)
+        {
+          A.ExtractMyRowView(row, n, values, columns);
+          double diagonal = 0., rest = 0.;
+          for (int k = 0; k < n; ++k)
+            (is_diagonal(row, k) ? diagonal : rest) += std::abs(values[k]);
+          fixed[row] = rest <= 1e-12 * diagonal ? 1. : 0.;
+        }
+
+      Epetra_Vector fixed_column(A.ColMap());
+      if (A.Importer() != nullptr)
+        fixed_column.Import(fixed, *A.Importer(), Insert);
+      else
+        fixed_column = fixed;
+      for (int row = 0; row < A.NumMyRows(); ++row)
+        {
+          A.ExtractMyRowView(row, n, values, columns);
+          for (int k = 0; k < n; ++k)
+            if (fixed_column[columns[k]] != 0. && !is_diagonal(row, k))
+              values[k] = 0.;
+        }
+    }
+  } // namespace
 
   void Multigrid::set_rigid_body_modes(const std::vector<Vector> &modes,
                                        const unsigned int n_components_per_node)
@@ -32,6 +72,7 @@ namespace demold
     // First the hierarchy, which points into the matrix.
     clear();
     kept_matrix.copy_from(matrix);
+    decouple_fixed_unknowns(kept_matrix);
 
     Teuchos::ParameterList list;
     ML_Epetra::SetDefaults("SA", list);
