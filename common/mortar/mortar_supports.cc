@@ -19,6 +19,9 @@ namespace demold
     /// node has a support or another multiplier, and they have not, constraints
     /// outnumber displacements: a stiffer one would tear at the neighbours.
     constexpr double neighbour_compliance = 1.;
+    /// Dual multipliers of one node share its displacement between them: with
+    /// less, Newton sees a bond that is all but rigid up to its limit.
+    constexpr double shared_compliance = .1;
   } // namespace
 
   void MortarTerm::find_compliance(
@@ -66,8 +69,9 @@ namespace demold
       free[own].push_back(d);
     driven[own] = driven[own] || all_held;
     if (is_fixed || shared[own])
-      compliance[own][d] =
-        reaches_others ? neighbour_compliance : vanishing_compliance;
+      compliance[own][d] = reaches_others ? neighbour_compliance :
+                           is_fixed       ? vanishing_compliance :
+                                            shared_compliance;
     if (is_fixed && reaches_others && !shared[own])
       {
         leaning[own].leans[d] = true;
