@@ -186,6 +186,7 @@ namespace demold
           }
 
         weak_form.accept();
+        newton.accept(report);
         hooks.after_accept();
         ++result.increments;
         // Where surfaces meet first, the increment says little of the next.

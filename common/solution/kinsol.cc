@@ -142,7 +142,7 @@ namespace demold
       assemble(weak_form, false, report) && weak_form.has_settled() &&
       report.residuals.back() <= 10. * parameters.residual_tolerance;
     if (report.converged)
-      largest_force = std::max(largest_force, weak_form.residual_norms().scale);
+      report.force = weak_form.residual_norms().scale;
     else
       report.reason = "KINSOL stopped short of the tolerance";
     return report;

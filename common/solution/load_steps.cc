@@ -76,6 +76,7 @@ namespace demold
                                        PathCorrector::stage(report.iterations));
     const double start = weak_form.time();
     weak_form.accept();
+    tools.newton.accept(report);
     before = weak_form.energies();
     for (const double entry : before.as_array())
       largest_entry = std::max(largest_entry, std::abs(entry));
@@ -95,10 +96,9 @@ namespace demold
   {
     weak_form.begin_increment(weak_form.time() + dt,
                               last_load > 0. && dt > 0. ? dt / last_load : 0.);
-    newton.largest_force       = tools.newton.largest_force;
-    newton.seconds_assembly    = 0.;
-    const NewtonReport report  = newton.solve(weak_form);
-    tools.newton.largest_force = newton.largest_force;
+    newton.largest_force      = tools.newton.largest_force;
+    newton.seconds_assembly   = 0.;
+    const NewtonReport report = newton.solve(weak_form);
     tools.newton.seconds_assembly += newton.seconds_assembly;
     if (!report.converged || releases_too_much(1.) || leaves_the_books_open())
       {

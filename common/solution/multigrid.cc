@@ -17,9 +17,9 @@ namespace demold
     /// smoother and its eigenvalues want a matrix close to symmetric.
     void decouple_fixed_unknowns(SparseMatrix &matrix)
     {
-      auto &A = const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
-      int  n  = 0, *columns = nullptr;
-      double *values = nullptr;
+      auto      &A = const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
+      int        n = 0, *columns = nullptr;
+      double    *values      = nullptr;
       const auto is_diagonal = [&](const int row, const int entry) {
         return A.GCID(columns[entry]) == A.GRID(row);
       };

@@ -39,17 +39,7 @@ namespace demold
         report.reason = "an element turned inside out";
         return false;
       }
-    const ResidualNorms norms = weak_form.residual_norms();
-    if (tangent)
-      // of the displacements, and of F = 1 + H in a body at rest, whose
-      // elements are of the order of a millimetre
-      round_off =
-        weak_form.matrix.linfty_norm() *
-        (1e-14 * norms.unknowns +
-         1e-15 * std::sqrt(static_cast<double>(weak_form.n_unknowns())));
-    const double scale = std::max({norms.scale, 1e-4 * largest_force, 1e-300});
-    const double residual =
-      std::max(std::max(norms.free, norms.extra) - round_off, 0.) / scale;
+    const double residual = measure(weak_form, largest_force, tangent);
     report.residuals.push_back(residual);
     report.state_changes.push_back(weak_form.n_state_changes());
     if (!std::isfinite(residual))
@@ -104,6 +94,7 @@ namespace demold
   NewtonReport Newton::solve(WeakForm &weak_form)
   {
     NewtonReport report;
+    measure      = ResidualMeasure();
     largest_work = last_work = 0.;
     if (pattern_number != weak_form.pattern_number())
       linear_solver.forget();
@@ -155,8 +146,7 @@ namespace demold
         if (has_converged(report) && weak_form.has_settled())
           {
             report.converged = true;
-            largest_force =
-              std::max(largest_force, weak_form.residual_norms().scale);
+            report.force     = weak_form.residual_norms().scale;
             return report;
           }
         if (report.residuals.size() > 3 && report.residuals.back() > 1e8)

@@ -4,17 +4,17 @@
 #define demold_solution_newton_h
 
 #include "solution/nonlinear_solver.h"
+#include "solution/residual_measure.h"
 #include "weak_form/algebra.h"
 
 namespace demold
 {
   /// Solves R(u) = 0 from the trial of the weak form. An increment has
   /// converged when the unbalanced force is below `residual tolerance` times
-  /// the largest of bulk, interface and inertia forces (at least 1e-4 of their
-  /// maximum over the run; plus what round-off leaves, 1e-14 |K| |u|, theory
-  /// D.4) and the work of the last correction is below `energy tolerance`
-  /// times that of the largest one; a tenth of the residual tolerance alone
-  /// will do, and after 8 iterations the residual tolerance itself.
+  /// the largest of bulk, interface and inertia forces (ResidualMeasure) and
+  /// the work of the last correction is below `energy tolerance` times that of
+  /// the largest one; a tenth of the residual tolerance alone will do, and
+  /// after 8 iterations the residual tolerance itself.
   class Newton : public NonlinearSolver
   {
   public:
@@ -30,7 +30,7 @@ namespace demold
 
     const NewtonParameters parameters;
     LinearSolver          &linear_solver;
-    double                 round_off    = 0.; ///< [N]
+    ResidualMeasure        measure;
     double                 largest_work = 0.; ///< of a correction [mJ]
     double                 last_work    = 0.;
     Vector                 correction;

@@ -3,6 +3,7 @@
 #ifndef demold_solution_nonlinear_solver_h
 #define demold_solution_nonlinear_solver_h
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,7 +37,8 @@ namespace demold
     unsigned int              iterations = 0;
     std::vector<double>       residuals; ///< |R| / scale, one per assembly
     std::vector<unsigned int> state_changes;
-    std::string               reason; ///< why not, in words
+    std::string               reason;     ///< why not, in words
+    double                    force = 0.; ///< [N] largest of the solution
   };
 
   /// Solves R(u) = 0 from the trial of a weak form and leaves the solution
@@ -48,10 +50,16 @@ namespace demold
 
     virtual NewtonReport solve(WeakForm &weak_form) = 0;
 
+    /// Tells that the increment of @p report counts.
+    void accept(const NewtonReport &report)
+    {
+      largest_force = std::max(largest_force, report.force);
+    }
+
     /// Seconds spent in assembly, all increments.
     double seconds_assembly = 0.;
 
-    /// Largest force norm [N] of a converged increment; part of a checkpoint.
+    /// Largest force norm [N] of an accepted increment; part of a checkpoint.
     double largest_force = 0.;
   };
 

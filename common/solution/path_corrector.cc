@@ -42,15 +42,7 @@ namespace demold
     if (pattern != weak_form.pattern_number())
       linear_solver.forget();
     newton.seconds_assembly += timer.wall_time();
-    const ResidualNorms norms = weak_form.residual_norms();
-    const double        scale =
-      std::max({norms.scale, 1e-4 * newton.largest_force, 1e-300});
-    const double round_off =
-      weak_form.matrix.linfty_norm() *
-      (1e-14 * norms.unknowns +
-       1e-15 * std::sqrt(static_cast<double>(weak_form.n_unknowns())));
-    report.residuals.push_back(
-      std::max(std::max(norms.free, norms.extra) - round_off, 0.) / scale);
+    report.residuals.push_back(measure(weak_form, newton.largest_force, true));
     report.state_changes.push_back(weak_form.n_state_changes());
     if (!admissible)
       report.reason = "an element turned inside out";
@@ -115,6 +107,7 @@ namespace demold
                                     const double          probe)
   {
     NewtonReport report;
+    measure = ResidualMeasure();
     while (assemble(weak_form, report))
       {
         if (report.iterations > 0 &&
@@ -124,8 +117,7 @@ namespace demold
             weak_form.has_settled())
           {
             report.converged = true;
-            newton.largest_force =
-              std::max(newton.largest_force, weak_form.residual_norms().scale);
+            report.force     = weak_form.residual_norms().scale;
             return report;
           }
         if (report.iterations >= parameters.max_iterations)

@@ -4,6 +4,7 @@
 #define demold_solution_path_corrector_h
 
 #include "solution/nonlinear_solver.h"
+#include "solution/residual_measure.h"
 #include "weak_form/algebra.h"
 
 namespace demold
@@ -55,6 +56,7 @@ namespace demold
     const NewtonParameters parameters;
     LinearSolver          &linear_solver;
     NonlinearSolver       &newton;
+    ResidualMeasure        measure;
   };
 } // namespace demold
 

@@ -54,4 +54,28 @@ namespace demold
     // Increments differ a little, and with them the viscous losses.
     expect_agreement(condensed, whole, .002);
   }
+
+  TEST(MortarBlock, condensed_multipliers_leave_multigrid_its_way)
+  {
+    const auto block = [](std::vector<std::string> entries) {
+      for (const char *entry : {"Contact/multipliers=dual",
+                                "Block/element size=3",
+                                "Block/length=10",
+                                "Block/width=10",
+                                "Block/sipes=0",
+                                "Solver/linear=iterative"})
+        entries.push_back(entry);
+      return run_demold("tread-block-mortar.prm", entries);
+    };
+    const SceneRun condensed = block({"Contact/condensed=true"});
+    const SceneRun whole     = block({"Contact/condensed=false"});
+    expect_clean_release(condensed);
+    expect_agreement(condensed, whole, .002);
+    // A direct solver steps in where an increment was too long.
+    EXPECT_LT(condensed.number("factorisations"),
+              .1 * condensed.number("newton iterations"));
+    EXPECT_LT(condensed.number("krylov iterations"),
+              50. * condensed.number("newton iterations"));
+    EXPECT_GT(whole.number("factorisations"), 0.);
+  }
 } // namespace demold
