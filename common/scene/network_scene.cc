@@ -162,10 +162,11 @@ namespace demold
                          "must not be none where Network/bonds has entries; "
                          "got none and " +
                            std::to_string(n.bonds.size()) + " bonds.");
-    if (parameters.strategy == "dynamics")
+    if (parameters.has_inertia())
       throw ExcParameter("Solution/strategy",
                          "must be quasi-static or arc length for a network, "
-                         "whose nodes have no mass; got dynamics.");
+                         "whose nodes have no mass; got " +
+                           parameters.strategy + ".");
   }
 
   std::string NetworkScene::preview() const

@@ -60,8 +60,10 @@ namespace demold
     prm.enter_subsection("Solution");
     prm.add_parameter("strategy",
                       strategy,
-                      "how the scene is solved",
-                      Patterns::Selection("quasi-static|dynamics|arc length"));
+                      "how the scene is solved; automatic: quasi-static, and "
+                      "dynamics for what jumps",
+                      Patterns::Selection(
+                        "quasi-static|dynamics|arc length|automatic"));
     increments.add_parameters(prm);
     path.add_parameters(prm);
     integrator.add_parameters(prm);
@@ -84,11 +86,16 @@ namespace demold
     interface.check(element);
     increments.check();
     linear_solver.check();
-    if (strategy == "dynamics" && !(material.density > 0.))
+    if (has_inertia() && !(material.density > 0.))
       throw ExcParameter("Material/density",
-                         "must be positive for Solution/strategy = dynamics; "
-                         "got " +
+                         "must be positive for Solution/strategy = " +
+                           strategy + "; got " +
                            std::to_string(material.density) + " t/mm^3.");
+  }
+
+  bool SceneParameters::has_inertia() const
+  {
+    return strategy == "dynamics" || strategy == "automatic";
   }
 
   void SceneParameters::check_cure() const

@@ -52,6 +52,9 @@ namespace demold
       return cure_kind == "vulcanised";
     }
 
+    /// Do nodes have mass: dynamics, now or when it is needed?
+    bool has_inertia() const;
+
     /// The rubber in its uniform state of cure, else in the hardest.
     RubberLaw typical_law() const;
 

@@ -3,6 +3,7 @@
 #include "scene/scene_strategy.h"
 
 #include "solid/lumped_mass.h"
+#include "solution/automatic.h"
 #include "solution/dynamics.h"
 #include "solution/path_following.h"
 #include "solution/quasi_static.h"
@@ -88,11 +89,20 @@ namespace demold
                          const StrategyTools   &tools,
                          IncrementState        &state)
   {
-    if (parameters.strategy != "dynamics")
+    if (!parameters.has_inertia())
       return make_strategy(parameters, tools, state);
     const IncrementParameters increments =
       increments_of(parameters, tools.end_time, state);
     Inertia &inertia = add_inertia(scene, parameters, system);
+    if (parameters.strategy == "automatic")
+      return [=, &parameters, &inertia](const OnAccept &on_accept) {
+        return run_automatic(
+          tools.weak_form,
+          {tools.newton, inertia, parameters.integrator, tools.note},
+          increments,
+          tools.end_time,
+          on_accept);
+      };
     return [=, &parameters, &inertia](const OnAccept &on_accept) {
       return run_dynamics(tools.weak_form,
                           tools.newton,

@@ -8,17 +8,10 @@
 
 namespace demold
 {
-  StrategyResult run_dynamics(WeakForm                  &weak_form,
-                              NonlinearSolver           &newton,
-                              Inertia                   &inertia,
-                              const TimeIntegrator      &integrator,
-                              const IncrementParameters &increments,
-                              const double               end_time,
-                              const OnAccept            &on_accept)
+  IncrementHooks dynamic_hooks(WeakForm &weak_form, Inertia &inertia)
   {
     IncrementHooks hooks;
-    hooks.name = "dynamics";
-    weak_form.set_bulk_weight(1. - integrator.alpha_f());
+    hooks.name  = "dynamics";
     hooks.judge = [&](double) {
       inertia.account_damping(weak_form);
       return judge_by_terms(weak_form);
@@ -27,8 +20,25 @@ namespace demold
       for (const auto &term : weak_form.term_list())
         inertia.close(term->closed_points());
     };
+    return hooks;
+  }
+
+  StrategyResult run_dynamics(WeakForm                  &weak_form,
+                              NonlinearSolver           &newton,
+                              Inertia                   &inertia,
+                              const TimeIntegrator      &integrator,
+                              const IncrementParameters &increments,
+                              const double               end_time,
+                              const OnAccept            &on_accept)
+  {
+    weak_form.set_bulk_weight(1. - integrator.alpha_f());
     const StrategyResult result =
-      run_increments(weak_form, newton, increments, end_time, hooks, on_accept);
+      run_increments(weak_form,
+                     newton,
+                     increments,
+                     end_time,
+                     dynamic_hooks(weak_form, inertia),
+                     on_accept);
     weak_form.set_bulk_weight(1.);
     return result;
   }

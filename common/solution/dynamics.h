@@ -9,7 +9,11 @@ namespace demold
 {
   class Inertia;
   class WeakForm;
+  struct IncrementHooks;
   struct TimeIntegrator;
+
+  /// Judges increments of a dynamic run. The arguments must live as long.
+  IncrementHooks dynamic_hooks(WeakForm &weak_form, Inertia &inertia);
 
   /// Adds @p inertia to @p weak_form and integrates to @p end_time. A step is
   /// accepted if no term finds its error too large, and the next one follows

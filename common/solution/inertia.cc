@@ -98,7 +98,12 @@ namespace demold
 
   bool Inertia::assemble(const Configuration &now, Assembler &assembler)
   {
-    dt                   = now.dt;
+    dt = now.dt;
+    if (at_rest)
+      {
+        follow(now);
+        return true;
+      }
     const double beta    = integrator.beta();
     const double gamma   = integrator.gamma();
     const double alpha_m = integrator.alpha_m();
@@ -132,6 +137,41 @@ namespace demold
     return true;
   }
 
+  void Inertia::follow(const Configuration &now)
+  {
+    for (const auto i : mass.locally_owned_elements())
+      velocity_trial(i) =
+        mass(i) > 0. && dt > 0. ? (now.u(i) - now.u_old(i)) / dt : 0.;
+    velocity_trial.compress(VectorOperation::insert);
+    acceleration_trial = 0.;
+  }
+
+  void Inertia::set_at_rest(const bool rest)
+  {
+    if (rest == at_rest)
+      return;
+    at_rest             = rest;
+    const double motion = kinetic_energy(committed_velocity);
+    committed_algorithmic += rest ? motion : -motion;
+    if (rest)
+      committed_acceleration = 0.;
+    revert();
+  }
+
+  double Inertia::force_norm() const
+  {
+    double square = 0.;
+    for (const auto i : mass.locally_owned_elements())
+      square += std::pow(mass(i) * committed_acceleration(i), 2);
+    return std::sqrt(Utilities::MPI::sum(square, mass.get_mpi_communicator()));
+  }
+
+  double Inertia::kinetic_energy() const
+  {
+    return Utilities::MPI::sum(kinetic_energy(committed_velocity),
+                               mass.get_mpi_communicator());
+  }
+
   double Inertia::kinetic_energy(const Vector &v) const
   {
     double twice = 0.;
@@ -143,7 +183,7 @@ namespace demold
   Energies Inertia::energies() const
   {
     Energies e;
-    e.kinetic     = kinetic_energy(velocity_trial);
+    e.kinetic     = at_rest ? 0. : kinetic_energy(velocity_trial);
     e.algorithmic = committed_algorithmic + algorithmic;
     e.impact      = impact;
     return e;
@@ -163,6 +203,8 @@ namespace demold
 
   IncrementError Inertia::increment_error() const
   {
+    if (at_rest)
+      return {};
     double largest = 0.;
     for (const auto i : mass.locally_owned_elements())
       largest =
@@ -226,7 +268,7 @@ namespace demold
   {
     write_owned(out, committed_velocity);
     write_owned(out, committed_acceleration);
-    write_values(out, {committed_algorithmic, impact});
+    write_values(out, {committed_algorithmic, impact, at_rest ? 1. : 0.});
   }
 
   void Inertia::load(std::istream &in)
@@ -236,6 +278,7 @@ namespace demold
     const auto sums       = read_values(in);
     committed_algorithmic = sums.at(0);
     impact                = sums.at(1);
+    at_rest               = sums.at(2) > 0.;
     revert();
   }
 } // namespace demold

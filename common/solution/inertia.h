@@ -40,6 +40,11 @@ namespace demold
   };
 
   /// Inertia with a lumped mass matrix (row sums).
+  ///
+  /// At rest it takes no part: velocities follow the increments, so that motion
+  /// goes on from them when it is woken, and nothing is in the ledger. What
+  /// kinetic energy the waking brings and the rest takes is booked as
+  /// algorithmic.
   class Inertia : public Term
   {
   public:
@@ -73,6 +78,21 @@ namespace demold
     /// no relative normal acceleration, and books the kinetic energy lost.
     void close(const std::vector<ClosedPoint> &points);
 
+    /// Between increments.
+    void set_at_rest(const bool at_rest);
+
+    bool is_at_rest() const
+    {
+      return at_rest;
+    }
+
+    /// |M a| [N] of the last accepted increment; collective.
+    double force_norm() const;
+
+    /// Kinetic energy [mJ] of the accepted velocities, moving or at rest;
+    /// collective.
+    double kinetic_energy() const;
+
     const Vector &velocity() const
     {
       return committed_velocity;
@@ -80,11 +100,13 @@ namespace demold
 
   private:
     double kinetic_energy(const Vector &v) const;
+    void   follow(const Configuration &now);
 
     const Vector         mass;
     const TimeIntegrator integrator;
     const double         length;
-    double               dt = 0.;
+    bool                 at_rest = false;
+    double               dt      = 0.;
     Vector               committed_velocity, committed_acceleration;
     Vector               velocity_trial, acceleration_trial;
     double committed_algorithmic = 0., algorithmic = 0., impact = 0.;

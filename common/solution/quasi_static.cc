@@ -20,41 +20,35 @@ namespace demold
     /// ledger entry unexplained: external work is known by the trapezoidal
     /// rule only, and forces have kinks.
     constexpr double tolerated_gap = 2e-3;
-
-    /// Ledger at the last accepted time and of the increment under judgement.
-    struct Books
-    {
-      Energies accepted, trial;
-      double   largest_entry = 0.;
-
-      double unexplained_share() const
-      {
-        double largest = largest_entry;
-        for (const double entry : trial.as_array())
-          largest = std::max(largest, std::abs(entry));
-        return std::abs(trial.gap() - accepted.gap()) /
-               std::max(largest, 1e-300);
-      }
-
-      void accept()
-      {
-        accepted = trial;
-        for (const double entry : trial.as_array())
-          largest_entry = std::max(largest_entry, std::abs(entry));
-      }
-    };
   } // namespace
 
-  StrategyResult run_quasi_static(WeakForm                  &weak_form,
-                                  NonlinearSolver           &newton,
-                                  const IncrementParameters &increments,
-                                  const double               end_time,
-                                  const OnAccept            &on_accept)
+  Books::Books(const WeakForm &weak_form)
+    : accepted(weak_form.energies())
+    , trial(accepted)
+  {}
+
+  double Books::unexplained_share() const
+  {
+    double largest = largest_entry;
+    for (const double entry : trial.as_array())
+      largest = std::max(largest, std::abs(entry));
+    return std::abs(trial.gap() - accepted.gap()) / std::max(largest, 1e-300);
+  }
+
+  void Books::accept()
+  {
+    accepted = trial;
+    for (const double entry : trial.as_array())
+      largest_entry = std::max(largest_entry, std::abs(entry));
+  }
+
+  IncrementHooks quasi_static_hooks(WeakForm    &weak_form,
+                                    Books       &books,
+                                    const double jump)
   {
     IncrementHooks hooks;
-    Books          books;
     hooks.name  = "quasi-static";
-    hooks.judge = [&](const double dt) {
+    hooks.judge = [&weak_form, &books, jump](const double dt) {
       IncrementVerdict verdict    = judge_by_terms(weak_form);
       const bool       bonds_give = verdict.factor < 1e299;
       books.trial                 = weak_form.energies();
@@ -67,18 +61,34 @@ namespace demold
                            std::to_string(100. * share) +
                            " % of its largest entry";
         }
-      if (dt <= jump_resolution * increments.largest)
+      if (dt <= jump)
         verdict.accept = true;
       return verdict;
     };
-    hooks.after_accept = [&] { books.accept(); };
-    books.accepted = books.trial = weak_form.energies();
+    hooks.after_accept = [&books] { books.accept(); };
+    return hooks;
+  }
+
+  StrategyResult run_quasi_static(WeakForm                  &weak_form,
+                                  NonlinearSolver           &newton,
+                                  const IncrementParameters &increments,
+                                  const double               end_time,
+                                  const OnAccept            &on_accept)
+  {
+    Books books(weak_form);
     weak_form.set_bulk_weight(1.);
     StrategyResult result =
-      run_increments(weak_form, newton, increments, end_time, hooks, on_accept);
+      run_increments(weak_form,
+                     newton,
+                     increments,
+                     end_time,
+                     quasi_static_hooks(weak_form,
+                                        books,
+                                        jump_resolution * increments.largest),
+                     on_accept);
     if (result.gave_up)
       result.reason += ". There may be no equilibrium near the last one: try "
-                       "Solution/strategy = dynamics";
+                       "Solution/strategy = automatic";
     return result;
   }
 } // namespace demold

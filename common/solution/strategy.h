@@ -25,7 +25,7 @@ namespace demold
     double last_dt = 0.; ///< [s] last one, 0 if nothing to extrapolate from
     unsigned int rejected          = 0; ///< increments, so far
     unsigned int newton_iterations = 0; ///< so far, also of rejected increments
-    std::vector<double> path; ///< where path following stands; empty: nowhere
+    std::vector<double> path; ///< where the strategy stands; empty: nowhere
 
     /// All but the path, for checkpoints.
     std::vector<double> save() const;

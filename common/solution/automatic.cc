@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The cheapest strategy that is stable at the moment.
+#include "solution/automatic.h"
+
+#include "solution/adaptive_increments.h"
+#include "solution/dynamics.h"
+#include "solution/inertia.h"
+#include "solution/quasi_static.h"
+#include "weak_form/weak_form.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace demold
+{
+  namespace
+  {
+    /// Quasi-static increments below this share of the largest one are left to
+    /// dynamics: whatever still happens in them is fast.
+    constexpr double shortest_quasi_static = 1e-2;
+
+    /// Inertia forces over the largest force of the run that count as none.
+    constexpr double no_inertia = 1e-3;
+
+    /// Increments in a row without inertia before dynamics ends, at least and
+    /// at most.
+    constexpr unsigned int shortest_calm = 3, longest_calm = 96;
+
+    /// A quasi-static phase of fewer increments has begun too early.
+    constexpr unsigned int short_phase = 10;
+
+    class Controller
+    {
+    public:
+      Controller(WeakForm                  &weak_form,
+                 const AutomaticTools      &tools,
+                 const IncrementParameters &increments,
+                 const double               end_time,
+                 const OnAccept            &on_accept);
+
+      StrategyResult run();
+
+    private:
+      void quasi_static_phase();
+      void dynamic_phase();
+      void add(const StrategyResult &phase);
+      bool pass_on(const IncrementRecord &record);
+      bool is_calm() const;
+      void note(const std::string &event);
+      void save();
+      void load();
+
+      WeakForm                  &weak_form;
+      const AutomaticTools      &tools;
+      const IncrementParameters &increments;
+      const double               end_time;
+      const OnAccept            &on_accept;
+
+      IncrementState  local;
+      IncrementState &state;
+      StrategyResult  result;
+      bool            goes_on     = true;
+      unsigned int    in_phase    = 0; ///< increments
+      unsigned int    calm        = 0; ///< increments in a row
+      unsigned int    calm_needed = shortest_calm;
+    };
+
+
+
+    Controller::Controller(WeakForm                  &weak_form,
+                           const AutomaticTools      &tools,
+                           const IncrementParameters &increments,
+                           const double               end_time,
+                           const OnAccept            &on_accept)
+      : weak_form(weak_form)
+      , tools(tools)
+      , increments(increments)
+      , end_time(end_time)
+      , on_accept(on_accept)
+      , state(increments.state != nullptr ? *increments.state : local)
+    {}
+
+
+
+    StrategyResult Controller::run()
+    {
+      if (state.path.empty())
+        tools.inertia.set_at_rest(true);
+      else
+        load();
+      const double tiny = 1e-12 * end_time;
+      while (goes_on && end_time - weak_form.time() > tiny)
+        if (tools.inertia.is_at_rest())
+          quasi_static_phase();
+        else
+          dynamic_phase();
+      weak_form.set_bulk_weight(1.);
+      return result;
+    }
+
+
+
+    void Controller::quasi_static_phase()
+    {
+      Books               books(weak_form);
+      IncrementParameters parameters = increments;
+      parameters.state               = &state;
+      parameters.smallest =
+        std::max(increments.smallest,
+                 shortest_quasi_static * increments.largest);
+      weak_form.set_bulk_weight(1.);
+      const StrategyResult phase =
+        run_increments(weak_form,
+                       tools.newton,
+                       parameters,
+                       end_time,
+                       quasi_static_hooks(weak_form, books, 0.),
+                       [&](const IncrementRecord &record) {
+                         return pass_on(record);
+                       });
+      add(phase);
+      if (!phase.gave_up)
+        return;
+      calm_needed = in_phase < short_phase ?
+                      std::min(2 * calm_needed, longest_calm) :
+                      shortest_calm;
+      in_phase = calm = 0;
+      state.dt        = std::max(state.dt, increments.smallest);
+      tools.inertia.set_at_rest(false);
+      note("dynamics, because " + phase.reason);
+    }
+
+
+
+    void Controller::dynamic_phase()
+    {
+      IncrementParameters parameters = increments;
+      parameters.state               = &state;
+      weak_form.set_bulk_weight(1. - tools.integrator.alpha_f());
+      const StrategyResult phase =
+        run_increments(weak_form,
+                       tools.newton,
+                       parameters,
+                       end_time,
+                       dynamic_hooks(weak_form, tools.inertia),
+                       [&](const IncrementRecord &record) {
+                         calm = is_calm() ? calm + 1 : 0;
+                         return pass_on(record) && calm < calm_needed;
+                       });
+      add(phase);
+      if (phase.gave_up)
+        {
+          result.gave_up = true;
+          result.reason  = phase.reason;
+          goes_on        = false;
+        }
+      if (!goes_on || calm < calm_needed)
+        return;
+      in_phase = 0;
+      note("quasi-static, because inertia forces have gone");
+      tools.inertia.set_at_rest(true);
+    }
+
+
+
+    void Controller::add(const StrategyResult &phase)
+    {
+      result.increments += phase.increments;
+      result.rejected          = phase.rejected;
+      result.newton_iterations = phase.newton_iterations;
+    }
+
+
+
+    bool Controller::pass_on(const IncrementRecord &record)
+    {
+      ++in_phase;
+      save();
+      goes_on = on_accept(record);
+      return goes_on;
+    }
+
+
+
+    bool Controller::is_calm() const
+    {
+      return tools.inertia.force_norm() <=
+             no_inertia * tools.newton.largest_force;
+    }
+
+
+
+    void Controller::note(const std::string &event)
+    {
+      const Energies now = weak_form.energies();
+      char           text[160];
+      std::snprintf(
+        text,
+        sizeof(text),
+        "time %.6g s (stored %.4g, kinetic %.4g, adhesion %.4g mJ): ",
+        weak_form.time(),
+        now.stored,
+        tools.inertia.kinetic_energy(),
+        now.adhesion);
+      result.events.push_back(text + event);
+      tools.note(result.events.back());
+    }
+
+
+
+    void Controller::save()
+    {
+      state.path = {static_cast<double>(in_phase),
+                    static_cast<double>(calm),
+                    static_cast<double>(calm_needed)};
+    }
+
+
+
+    void Controller::load()
+    {
+      in_phase    = static_cast<unsigned int>(state.path.at(0));
+      calm        = static_cast<unsigned int>(state.path.at(1));
+      calm_needed = static_cast<unsigned int>(state.path.at(2));
+    }
+  } // namespace
+
+
+
+  StrategyResult run_automatic(WeakForm                  &weak_form,
+                               const AutomaticTools      &tools,
+                               const IncrementParameters &increments,
+                               const double               end_time,
+                               const OnAccept            &on_accept)
+  {
+    return Controller(weak_form, tools, increments, end_time, on_accept).run();
+  }
+} // namespace demold
