@@ -240,8 +240,7 @@ namespace demold
         local.add(m, m, gap.area * (scaling * response.dtraction));
         const Tensor<2, 3> dgap = scaling * response.dgap;
         const Tensor<2, 3> dnormal =
-          scaling * response.dnormal +
-          turning(scaling, response.residual, input.normal);
+          scaled_dnormal(response, scaling, response.residual, input.normal);
         for (unsigned int l = 0; l < gap.nodes.size(); ++l)
           local.add(m,
                     l,

@@ -108,7 +108,7 @@ namespace demold
     if (system.with_tangent())
       remember_linear(state, system, own, balanced, gap, columns);
     const Tensor<2, 3> dnormal =
-      scaling * response.dnormal + turning(scaling, rest, input.normal);
+      scaled_dnormal(response, scaling, rest, input.normal);
     system.replace(rows_of_node,
                    residual,
                    T,

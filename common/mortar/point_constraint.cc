@@ -94,14 +94,19 @@ namespace demold
     return result;
   }
 
-  Tensor<2, 3> turning(const Tensor<2, 3> &scaling,
-                       const Tensor<1, 3> &residual,
-                       const Tensor<1, 3> &normal)
+  Tensor<2, 3> scaled_dnormal(const ConstraintResponse &response,
+                              const Tensor<2, 3>       &scaling,
+                              const Tensor<1, 3>       &residual,
+                              const Tensor<1, 3>       &normal)
   {
+    Tensor<2, 3> result = scaling * response.dnormal;
+    if (response.law.contact == ContactStatus::open)
+      return result;
     // W x as a linear map of dn, W = dn n - n dn turning n by dn
     const auto turned = [&](const Tensor<1, 3> &x) {
       return (normal * x) * unit - outer_product(normal, x);
     };
-    return turned(scaling * residual) - scaling * turned(residual);
+    result += turned(scaling * residual) - scaling * turned(residual);
+    return result;
   }
 } // namespace demold

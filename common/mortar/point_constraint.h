@@ -64,13 +64,14 @@ namespace demold
                                    const double                     stiffness,
                                    const std::vector<unsigned int> &components);
 
-  /// What the derivative of scaling * residual by the normal has beyond scaling
-  /// * dresidual: the scaling turns with the normal. Without it the rest of
-  /// the gap of a closed point, times c_N, would be a shear of the first
-  /// iterations.
-  dealii::Tensor<2, 3> turning(const dealii::Tensor<2, 3> &scaling,
-                               const dealii::Tensor<1, 3> &residual,
-                               const dealii::Tensor<1, 3> &normal);
+  /// Derivative of scaling * @p residual by the normal, @p response being that
+  /// of the same point [-]. Under pressure the scaling turns with the normal:
+  /// without that, what is left of the gap of a closed point, times c_N, would
+  /// be a shear of the first iterations.
+  dealii::Tensor<2, 3> scaled_dnormal(const ConstraintResponse   &response,
+                                      const dealii::Tensor<2, 3> &scaling,
+                                      const dealii::Tensor<1, 3> &residual,
+                                      const dealii::Tensor<1, 3> &normal);
 } // namespace demold
 
 #endif

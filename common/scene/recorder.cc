@@ -146,6 +146,8 @@ namespace demold
         std::make_unique<ResultTable>(context.output_folder + "/history.csv",
                                       column_names());
     rows_saved += 1.;
+    if (now.strategy == "dynamics")
+      with_inertia += 1.;
     if (table)
       table->add_row(row(now));
     IncrementLine line;
@@ -185,6 +187,8 @@ namespace demold
     summary.set("kinetic energy [mJ]", e.kinetic);
     summary.set("released energy [mJ]", released);
     summary.set("jumps", n_jumps);
+    summary.set("share of increments with inertia [-]",
+                rows_saved > 0. ? with_inertia / rows_saved : 0.);
     summary.set("largest principal stretch [-]", largest_stretch);
     summary.set("largest principal tension [MPa]", largest_tension);
     summary.set("energy balance error [-]", energy_balance_error());
@@ -238,7 +242,8 @@ namespace demold
                                   last.opening,
                                   largest_stretch,
                                   largest_tension,
-                                  unexplained};
+                                  unexplained,
+                                  with_inertia};
     for (const double e : last.energies.as_array())
       values.push_back(e);
     return values;
@@ -257,8 +262,9 @@ namespace demold
     largest_stretch = values.at(8);
     largest_tension = values.at(9);
     unexplained     = values.at(10);
+    with_inertia    = values.at(11);
     std::array<double, Energies::n_entries> e;
-    std::copy_n(values.begin() + 11, e.size(), e.begin());
+    std::copy_n(values.begin() + 12, e.size(), e.begin());
     last.energies = Energies::from_array(e);
   }
 } // namespace demold

@@ -87,6 +87,7 @@ namespace demold
     double                       released        = 0.; ///< [mJ] in jumps
     double                       unexplained     = 0.; ///< [mJ] of these
     double                       rows_saved      = 0.;
+    double                       with_inertia    = 0.; ///< of these rows
     double                       largest_stretch = 1.; ///< [-]
     double                       largest_tension = 0.; ///< [MPa]
   };

@@ -107,10 +107,10 @@ namespace demold
         return false;
       }
     last_load = std::max(dt, 0.);
-    accept(report, "load", "arc length");
     if (report.iterations <= increments.easy)
       state.dt = std::max(state.dt,
                           std::min(increments.growth * dt, increments.largest));
+    accept(report, "load", "arc length");
     return true;
   }
 

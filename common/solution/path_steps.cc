@@ -86,8 +86,8 @@ namespace demold
       }
     ++path_steps;
     last_load = 0.;
-    accept(report, constraint->name(), "arc length");
     adapt_path_step(report, dt);
+    accept(report, constraint->name(), "arc length");
     return true;
   }
 

@@ -7,6 +7,7 @@ build_dir=$2
 prm=$source_dir/prm
 demold=$build_dir/step-demold/step-demold
 interface=$build_dir/step-nts-adhesion/step-nts-adhesion
+arclength=$build_dir/step-arclength/step-arclength
 
 folder=$(mktemp -d "${TMPDIR:-/tmp}/demold test XXXXXX")
 trap 'rm -rf -- "$folder"' EXIT

@@ -196,6 +196,51 @@ namespace demold
     EXPECT_NEAR(kept, released, .02 * released);
   }
 
+  TEST(LongColumn, is_left_to_dynamics_by_automatic_where_it_jumps)
+  {
+    auto overrides = long_column.overrides();
+    for (const char *entry : {"Solution/strategy=automatic",
+                              "Material/density=1.1e-9",
+                              "Pull/velocity=0.2"})
+      overrides.emplace_back(entry);
+    const SceneRun run = run_nts("pull-off.prm", overrides);
+    EXPECT_EQ(run.status(), "completed");
+    const double strength = area * long_column.bond.strength;
+    EXPECT_NEAR(run.number("peak force [N]"), strength, 1e-3 * strength);
+    const double lost     = area * long_column.bond.fracture_energy();
+    const double released = area * long_column.excess();
+    EXPECT_NEAR(run.number("work of demolding [mJ]") - lost,
+                released,
+                .02 * released);
+    EXPECT_LT(run.number("energy balance error [-]"), 5e-3);
+
+    // No inertia before the peak: nothing kinetic, nothing algorithmic.
+    const auto &opening = run.history["opening [mm]"];
+    const auto &kinetic = run.history["kinetic energy [mJ]"];
+    double      moving  = 0.;
+    for (std::size_t i = 0; i < opening.size(); ++i)
+      if (opening[i] < .99 * long_column.peak_opening())
+        EXPECT_EQ(kinetic[i], 0.);
+      else
+        moving = std::max(moving, kinetic[i]);
+    EXPECT_GT(moving, .1 * released);
+  }
+
+  TEST(Column, is_quasi_static_all_the_way_by_automatic)
+  {
+    const Column column{8., {.2, .1, 20.}, {}};
+    auto         overrides = column.overrides();
+    overrides.emplace_back("Material/density=1.1e-9");
+    const SceneRun quasi_static = run_nts("pull-off.prm", overrides);
+    overrides.emplace_back("Solution/strategy=automatic");
+    const SceneRun automatic = run_nts("pull-off.prm", overrides);
+    EXPECT_EQ(automatic.number("share of increments with inertia [-]"), 0.);
+    EXPECT_EQ(automatic.number("newton iterations"),
+              quasi_static.number("newton iterations"));
+    EXPECT_EQ(automatic.number("work of demolding [mJ]"),
+              quasi_static.number("work of demolding [mJ]"));
+  }
+
   TEST(LongColumn,
        excess_is_that_of_a_linear_spring_in_series_but_for_a_percent)
   {

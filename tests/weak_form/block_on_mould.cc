@@ -276,7 +276,7 @@ namespace demold
     std::stringstream state;
     write_owned(state, velocity);
     write_owned(state, acceleration);
-    write_values(state, {0., 0.});
+    write_values(state, {0., 0., 0.});
     inertia->load(state);
   }
 } // namespace demold
