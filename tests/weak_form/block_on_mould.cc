@@ -221,6 +221,7 @@ namespace demold
   {
     const NewtonReport report = solve(time);
     form->accept();
+    newton->accept(report);
     if (inertia != nullptr && contact != nullptr)
       inertia->close(contact->closed_points());
     return report;
