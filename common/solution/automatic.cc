@@ -127,7 +127,8 @@ namespace demold
       in_phase = calm = 0;
       state.dt        = std::max(state.dt, increments.smallest);
       tools.inertia.set_at_rest(false);
-      note("dynamics, because " + phase.reason);
+      note("dynamics, because " +
+           phase.reason.substr(0, phase.reason.find(';')));
     }
 
 
