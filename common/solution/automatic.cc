@@ -3,6 +3,7 @@
 #include "solution/automatic.h"
 
 #include "solution/adaptive_increments.h"
+#include "solution/books.h"
 #include "solution/dynamics.h"
 #include "solution/inertia.h"
 #include "solution/quasi_static.h"

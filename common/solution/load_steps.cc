@@ -13,10 +13,6 @@ namespace demold
   {
     /// A step that releases more than this times what it may has jumped.
     constexpr double tolerated_release = 1.5;
-
-    /// While bonds give, a load step may leave this share of the largest ledger
-    /// entry unexplained, as the external work is a trapezoidal sum.
-    constexpr double tolerated_gap = 2e-3;
   } // namespace
 
   /// The points at the accepted state, which the trial is set to.
@@ -35,21 +31,17 @@ namespace demold
   /// Asks the converged trial; @p points may release their share each.
   bool PathFollower::releases_too_much(const double points) const
   {
-    return weak_form.energies().adhesion - before.adhesion >
+    return weak_form.energies().adhesion - books.accepted.adhesion >
            tolerated_release * tools.path.release * whole *
              std::max(points, 1.);
   }
 
   /// A step that softens and has lost more than the ledger explains has gone to
   /// another branch, even if it released no more than it may.
-  bool PathFollower::leaves_the_books_open() const
+  bool PathFollower::leaves_the_books_open()
   {
-    const Energies now     = weak_form.energies();
-    double         largest = largest_entry;
-    for (const double entry : now.as_array())
-      largest = std::max(largest, std::abs(entry));
-    return now.adhesion > before.adhesion &&
-           std::abs(now.gap() - before.gap()) > tolerated_gap * largest;
+    books.trial = weak_form.energies();
+    return books.trial.adhesion > books.accepted.adhesion && books.are_open();
   }
 
   void PathFollower::reject(const NewtonReport &report, const std::string &why)
@@ -77,9 +69,8 @@ namespace demold
     const double start = weak_form.time();
     weak_form.accept();
     tools.newton.accept(report);
-    before = weak_form.energies();
-    for (const double entry : before.as_array())
-      largest_entry = std::max(largest_entry, std::abs(entry));
+    books.trial = weak_form.energies();
+    books.accept();
     point.clock = weak_form.clock();
     ++result.increments;
     state.newton_iterations = result.newton_iterations += report.iterations;

@@ -66,6 +66,7 @@ namespace demold
     , newton(few(tools.newton_parameters), tools.linear_solver)
     , corrector(few(tools.newton_parameters), tools.linear_solver, tools.newton)
     , size(tools.path.release)
+    , books(weak_form)
   {
     result.rejected          = state.rejected;
     result.newton_iterations = state.newton_iterations;
@@ -152,7 +153,7 @@ namespace demold
 
   StrategyResult PathFollower::run()
   {
-    before = weak_form.energies();
+    books = Books(weak_form);
     excursion.begin(weak_form);
     look();
     if (state.path.empty())
@@ -176,7 +177,7 @@ namespace demold
                   static_cast<double>(
                     std::find(order.begin(), order.end(), constraint->name()) -
                     order.begin()),
-                  largest_entry};
+                  books.largest_entry};
     for (const double x : excursion.save())
       state.path.push_back(x);
   }
@@ -191,7 +192,7 @@ namespace demold
     last_load  = values.at(3);
     if (is_cylindrical())
       cylindrical->length = values.at(4);
-    largest_entry = values.at(6);
+    books.largest_entry = values.at(6);
     excursion.load({values.begin() + 7, values.end()});
   }
 

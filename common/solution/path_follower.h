@@ -3,12 +3,12 @@
 #ifndef demold_solution_path_follower_h
 #define demold_solution_path_follower_h
 
+#include "solution/books.h"
 #include "solution/cylindrical_constraint.h"
 #include "solution/excursion.h"
 #include "solution/newton.h"
 #include "solution/path_corrector.h"
 #include "solution/path_following.h"
-#include "weak_form/energies.h"
 #include "weak_form/softening_sites.h"
 
 #include <memory>
@@ -58,7 +58,7 @@ namespace demold
     Points look();
     double next_mark() const;
     bool   releases_too_much(const double points) const;
-    bool   leaves_the_books_open() const;
+    bool   leaves_the_books_open();
     void   accept(const NewtonReport &report,
                   const std::string  &constraint,
                   const std::string  &strategy);
@@ -83,13 +83,12 @@ namespace demold
 
     bool         goes_on    = true;
     bool         on_path    = false;
-    double       size       = 0.;    ///< of path steps, of a full one
-    unsigned int path_steps = 0;     ///< since the last try of a load step
-    double       nudged     = -1.;   ///< [s] clock of the last step back
-    double       last_load  = 0.;    ///< [s] to extrapolate from, 0: nothing
-    double       whole      = 0.;    ///< [mJ] of the largest point
-    Energies     before;             ///< at t_n
-    double       largest_entry = 0.; ///< [mJ] of the ledger so far
+    double       size       = 0.;  ///< of path steps, of a full one
+    unsigned int path_steps = 0;   ///< since the last try of a load step
+    double       nudged     = -1.; ///< [s] clock of the last step back
+    double       last_load  = 0.;  ///< [s] to extrapolate from, 0: nothing
+    double       whole      = 0.;  ///< [mJ] of the largest point
+    Books        books;
     std::string  last_problem;
   };
 } // namespace demold

@@ -3,10 +3,10 @@
 #include "solution/quasi_static.h"
 
 #include "solution/adaptive_increments.h"
+#include "solution/books.h"
 #include "weak_form/weak_form.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace demold
 {
@@ -15,32 +15,7 @@ namespace demold
     /// Increments shorter than this share of the largest one are not cut for
     /// accuracy any more: what still happens in one of them is a jump.
     constexpr double jump_resolution = 1e-3;
-
-    /// While bonds give, an increment may leave this share of the largest
-    /// ledger entry unexplained: external work is known by the trapezoidal
-    /// rule only, and forces have kinks.
-    constexpr double tolerated_gap = 2e-3;
   } // namespace
-
-  Books::Books(const WeakForm &weak_form)
-    : accepted(weak_form.energies())
-    , trial(accepted)
-  {}
-
-  double Books::unexplained_share() const
-  {
-    double largest = largest_entry;
-    for (const double entry : trial.as_array())
-      largest = std::max(largest, std::abs(entry));
-    return std::abs(trial.gap() - accepted.gap()) / std::max(largest, 1e-300);
-  }
-
-  void Books::accept()
-  {
-    accepted = trial;
-    for (const double entry : trial.as_array())
-      largest_entry = std::max(largest_entry, std::abs(entry));
-  }
 
   IncrementHooks quasi_static_hooks(WeakForm    &weak_form,
                                     Books       &books,
@@ -52,13 +27,12 @@ namespace demold
       IncrementVerdict verdict    = judge_by_terms(weak_form);
       const bool       bonds_give = verdict.factor < 1e299;
       books.trial                 = weak_form.energies();
-      const double share          = books.unexplained_share();
-      if (bonds_give && share > tolerated_gap)
+      if (bonds_give && books.are_open())
         {
           verdict.accept = false;
           verdict.factor = std::min(verdict.factor, .5);
           verdict.reason = "the ledger does not explain " +
-                           std::to_string(100. * share) +
+                           std::to_string(100. * books.unexplained_share()) +
                            " % of its largest entry";
         }
       if (dt <= jump)
@@ -88,7 +62,7 @@ namespace demold
                      on_accept);
     if (result.gave_up)
       result.reason += ". There may be no equilibrium near the last one: try "
-                       "Solution/strategy = automatic";
+                       "Solution/strategy = automatic, or arc length";
     return result;
   }
 } // namespace demold

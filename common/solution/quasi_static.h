@@ -4,26 +4,12 @@
 #define demold_solution_quasi_static_h
 
 #include "solution/strategy.h"
-#include "weak_form/energies.h"
 
 namespace demold
 {
   class WeakForm;
+  struct Books;
   struct IncrementHooks;
-
-  /// Ledger at the last accepted time and of the increment under judgement.
-  struct Books
-  {
-    explicit Books(const WeakForm &weak_form);
-
-    /// Of the trial increment, over the largest entry so far.
-    double unexplained_share() const;
-
-    void accept();
-
-    Energies accepted, trial;
-    double   largest_entry = 0.; ///< [mJ]
-  };
 
   /// Judges quasi-static increments by the terms and by the ledger, but takes
   /// those up to @p jump [s] as they are: what still happens in one of them is

@@ -204,7 +204,7 @@ namespace demold
     expect_completed_or_reason(run);
     if (run.exit_code == 1)
       EXPECT_NE(run.summary.at("reason").get<std::string>().find(
-                  "Solution/strategy = dynamics"),
+                  "Solution/strategy = automatic"),
                 std::string::npos);
   }
 } // namespace demold
