@@ -40,13 +40,13 @@ gnuplot << END
 set datafile separator ","
 set key autotitle columnhead
 set terminal svg size 640,420 font "sans,12"
-set key top right
+set key top right noenhanced
 set style data lines
 
 set xlabel "opening [mm]"
 set ylabel "force [N]"
 set output "$plots/spring-paths.svg"
-plot for [k in "0.5 1.5 5"] "$runs/spring-".k."/history.csv" \
+plot [0:.5] [-.01:.25] for [k in "0.5 1.5 5"] "$runs/spring-".k."/history.csv" \
   using "opening [mm]":"force [N]" title "k_s = ".k." N/mm"
 
 set output "$plots/truss-snap-back.svg"
