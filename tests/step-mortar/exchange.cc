@@ -124,6 +124,6 @@ namespace demold
       worst = std::max(worst, std::abs(after[i] / before[i] - 1.));
     record("largest change", worst);
     EXPECT_GT(largest(before), .01);
-    EXPECT_LT(worst, 1e-8); // Newton's tolerance on top of 1e-10
+    EXPECT_LT(worst, 1e-10);
   }
 } // namespace demold
