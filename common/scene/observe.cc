@@ -63,7 +63,9 @@ namespace demold
     now.rejected   = record.rejected;
     now.strategy   = record.strategy;
     now.path       = record.path;
-    now.done       = now.time / scene.end_time;
+    if (now.path)
+      now.path->released *= scene.symmetry_factor;
+    now.done = now.time / scene.end_time;
     return now;
   }
 

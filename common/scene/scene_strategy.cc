@@ -93,12 +93,13 @@ namespace demold
       return make_strategy(parameters, tools, state);
     const IncrementParameters increments =
       increments_of(parameters, tools.end_time, state);
-    Inertia &inertia = add_inertia(scene, parameters, system);
+    Inertia     &inertia = add_inertia(scene, parameters, system);
+    const double factor  = scene.symmetry_factor;
     if (parameters.strategy == "automatic")
       return [=, &parameters, &inertia](const OnAccept &on_accept) {
         return run_automatic(
           tools.weak_form,
-          {tools.newton, inertia, parameters.integrator, tools.note},
+          {tools.newton, inertia, parameters.integrator, factor, tools.note},
           increments,
           tools.end_time,
           on_accept);

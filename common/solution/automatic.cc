@@ -30,6 +30,7 @@ namespace demold
     /// A quasi-static phase of fewer increments has begun too early.
     constexpr unsigned int short_phase = 10;
 
+    /// Where a run stands, see run_automatic().
     class Controller
     {
     public:
@@ -201,9 +202,9 @@ namespace demold
         sizeof(text),
         "time %.6g s (stored %.4g, kinetic %.4g, adhesion %.4g mJ): ",
         weak_form.time(),
-        now.stored,
-        tools.inertia.kinetic_energy(),
-        now.adhesion);
+        tools.energy_factor * now.stored,
+        tools.energy_factor * tools.inertia.kinetic_energy(),
+        tools.energy_factor * now.adhesion);
       result.events.push_back(text + event);
       tools.note(result.events.back());
     }

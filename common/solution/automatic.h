@@ -14,9 +14,10 @@ namespace demold
   /// What the controller works with. `note` is told what is chosen and why.
   struct AutomaticTools
   {
-    NonlinearSolver                         &newton;
-    Inertia                                 &inertia; ///< in the weak form
-    const TimeIntegrator                    &integrator;
+    NonlinearSolver      &newton;
+    Inertia              &inertia; ///< in the weak form
+    const TimeIntegrator &integrator;
+    double energy_factor = 1.; ///< whole body over model, in events
     std::function<void(const std::string &)> note = [](const std::string &) {};
   };
 
