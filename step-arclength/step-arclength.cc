@@ -6,6 +6,7 @@
 //   step-arclength prm/step-arclength/spring.prm
 //   step-arclength prm/step-arclength/truss.prm
 //   step-arclength prm/step-arclength/column.prm
+//   step-arclength prm/step-arclength/tread-slice.prm
 //
 //     force
 //       |        x  limit: the machine sees a jump,
@@ -20,6 +21,7 @@
 #include "base/run_step.h"
 #include "scene/body_scene.h"
 #include "scene/network_scene.h"
+#include "scene/tread_scene.h"
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -30,10 +32,11 @@ namespace
 {
   // ## The program
   //
-  // A scene is either a body as in step-nts-adhesion, or a network of springs,
-  // bars and bonds that has a closed form: a handful of unknowns show what a
-  // strategy does. Both end as a list of terms, and whoever solves the list
-  // does not know which of the two it was. What is new is one strategy,
+  // A scene is a body as in step-nts-adhesion, a tread block as in step-demold,
+  // or a network of springs, bars and bonds that has a closed form: a handful
+  // of unknowns show what a strategy does. All end as a list of terms, and
+  // whoever solves the list does not know which of them it was. What is new is
+  // one strategy,
   //
   // * strategy = arc length: run_path_following() in solution/, where phases
   //   and steps are (PathFollower), the linear algebra of an equation more
@@ -47,43 +50,58 @@ namespace
     {
       prm.add_parameter("model",
                         model,
-                        "body: rubber on a mould or a base; network: springs, "
-                        "bars and bonds of section Network",
-                        dealii::Patterns::Selection("body|network"));
+                        "body: rubber on a mould or a base; tread block: the "
+                        "scene of step-demold; network: springs, bars and "
+                        "bonds of section Network",
+                        dealii::Patterns::Selection(
+                          "body|tread block|network"));
       body.add_parameters(prm);
+      tread.add_parameters(prm);
       network.add_parameters(prm);
     }
 
     void check() const
     {
-      if (is_network())
-        {
-          body.scene.check();
-          network.check(body.scene);
-        }
-      else
+      if (model == "body")
         body.check();
+      else if (model == "tread block")
+        tread.check(parameters(), pull());
+      else
+        {
+          parameters().check();
+          network.check(parameters());
+        }
     }
 
     std::string preview() const
     {
-      return is_network() ? network.preview() : body.preview();
+      return model == "body"        ? body.preview() :
+             model == "tread block" ? tread.preview(parameters(), pull()) :
+                                      network.preview();
     }
 
     RunStatus run(const RunContext &context) const
     {
-      return is_network() ? network.run(body.scene, context) :
-                            body.run(context);
+      return model == "body"        ? body.run(context) :
+             model == "tread block" ? tread.run(parameters(), pull(), context) :
+                                      network.run(parameters(), context);
     }
 
   private:
-    bool is_network() const
+    // The sections all three share.
+    const SceneParameters &parameters() const
     {
-      return model == "network";
+      return body.scene;
+    }
+
+    const Pull &pull() const
+    {
+      return body.process.pull;
     }
 
     std::string  model = "body";
     BodyScene    body;
+    TreadScene   tread;
     NetworkScene network;
   };
 } // namespace

@@ -64,7 +64,10 @@ namespace demold
     now.strategy   = record.strategy;
     now.path       = record.path;
     if (now.path)
-      now.path->released *= scene.symmetry_factor;
+      {
+        now.path->released *= scene.symmetry_factor;
+        now.path->damped *= scene.symmetry_factor;
+      }
     now.done = now.time / scene.end_time;
     return now;
   }

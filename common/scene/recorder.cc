@@ -89,14 +89,18 @@ namespace demold
   {
     if (!now.path || now.path->kind != "jump")
       return;
-    released += now.path->released;
+    released += now.path->released + now.path->damped;
+    damped += now.path->damped;
     ++n_jumps;
     char text[120];
-    std::snprintf(text,
-                  sizeof(text),
-                  "jump: the excursion to opening %.4g mm has released %.4g mJ",
-                  now.opening,
-                  now.path->released);
+    std::snprintf(
+      text,
+      sizeof(text),
+      "jump: the excursion to opening %.4g mm has released %.4g mJ, "
+      "dashpots took %.4g",
+      now.opening,
+      now.path->released,
+      now.path->damped);
     progress.note(text);
   }
 
@@ -177,7 +181,8 @@ namespace demold
     summary.set("opening at end [mm]", last.opening);
     summary.set("force at end [N]", last.force);
     // What a machine does: along a path it would miss the way back.
-    summary.set("work of demolding [mJ]", e.external + released - unexplained);
+    summary.set("work of demolding [mJ]",
+                e.external + released - unexplained - damped);
     summary.set("adhesion dissipation [mJ]", e.adhesion);
     summary.set("friction dissipation [mJ]", e.friction);
     summary.set("viscous dissipation [mJ]", e.viscous);
@@ -243,7 +248,8 @@ namespace demold
                                   largest_stretch,
                                   largest_tension,
                                   unexplained,
-                                  with_inertia};
+                                  with_inertia,
+                                  damped};
     for (const double e : last.energies.as_array())
       values.push_back(e);
     return values;
@@ -263,8 +269,9 @@ namespace demold
     largest_tension = values.at(9);
     unexplained     = values.at(10);
     with_inertia    = values.at(11);
+    damped          = values.at(12);
     std::array<double, Energies::n_entries> e;
-    std::copy_n(values.begin() + 12, e.size(), e.begin());
+    std::copy_n(values.begin() + 13, e.size(), e.begin());
     last.energies = Energies::from_array(e);
   }
 } // namespace demold

@@ -86,6 +86,7 @@ namespace demold
     double                       largest_entry = 0., largest_gap = 0.;
     double                       released        = 0.; ///< [mJ] in jumps
     double                       unexplained     = 0.; ///< [mJ] of these
+    double                       damped          = 0.; ///< [mJ] in dashpots
     double                       rows_saved      = 0.;
     double                       with_inertia    = 0.; ///< of these rows
     double                       largest_stretch = 1.; ///< [-]

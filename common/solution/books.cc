@@ -33,6 +33,11 @@ namespace demold
     return unexplained_share() > tolerated_gap;
   }
 
+  bool Books::loses() const
+  {
+    return trial.gap() > accepted.gap();
+  }
+
   void Books::accept()
   {
     accepted = trial;

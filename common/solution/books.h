@@ -22,6 +22,9 @@ namespace demold
     /// do, as external work is known by the trapezoidal rule only?
     bool are_open() const;
 
+    /// Does the trial increment lose energy rather than gain it?
+    bool loses() const;
+
     void accept();
 
     Energies accepted, trial;

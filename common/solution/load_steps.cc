@@ -13,6 +13,13 @@ namespace demold
   {
     /// A step that releases more than this times what it may has jumped.
     constexpr double tolerated_release = 1.5;
+
+    /// What a step may leave unexplained, share of the largest ledger entry.
+    constexpr double tolerated_gap = 5e-4;
+
+    /// Load steps shorter than this share of the largest increment are not cut
+    /// for accuracy any more: what still happens in one of them is a jump.
+    constexpr double jump_resolution = 1e-3;
   } // namespace
 
   /// The points at the accepted state, which the trial is set to.
@@ -36,12 +43,12 @@ namespace demold
              std::max(points, 1.);
   }
 
-  /// A step that softens and has lost more than the ledger explains has gone to
-  /// another branch, even if it released no more than it may.
+  /// A step that has lost more than the ledger explains has gone to another
+  /// branch, even if it released no more than it may.
   bool PathFollower::leaves_the_books_open()
   {
     books.trial = weak_form.energies();
-    return books.trial.adhesion > books.accepted.adhesion && books.are_open();
+    return books.unexplained_share() > tolerated_gap;
   }
 
   void PathFollower::reject(const NewtonReport &report, const std::string &why)
@@ -54,7 +61,8 @@ namespace demold
 
   void PathFollower::accept(const NewtonReport &report,
                             const std::string  &used,
-                            const std::string  &strategy)
+                            const std::string  &strategy,
+                            const double        damped)
   {
     excursion.look(weak_form);
     constraint->accepted(weak_form);
@@ -62,6 +70,9 @@ namespace demold
     point.kind       = excursion.kind;
     point.released   = excursion.released;
     point.constraint = used;
+    point.damped     = damped;
+    if (damped > 0.)
+      point.kind = "jump";
     if (tools.path.monitor)
       point.stability = read_stability(weak_form,
                                        tools.linear_solver,
@@ -91,7 +102,11 @@ namespace demold
     newton.seconds_assembly   = 0.;
     const NewtonReport report = newton.solve(weak_form);
     tools.newton.seconds_assembly += newton.seconds_assembly;
-    if (!report.converged || releases_too_much(1.) || leaves_the_books_open())
+    const bool open = report.converged && leaves_the_books_open();
+    // Rubber that buckles or comes free of an edge jumps without a bond.
+    const bool jumps = open && books.loses() && dt > 0. &&
+                       dt <= jump_resolution * increments.largest;
+    if (!report.converged || releases_too_much(1.) || (open && !jumps))
       {
         reject(report, "a load step releases more energy than it may");
         last_load = 0.;
@@ -101,7 +116,7 @@ namespace demold
     if (report.iterations <= increments.easy)
       state.dt = std::max(state.dt,
                           std::min(increments.growth * dt, increments.largest));
-    accept(report, "load", "arc length");
+    accept(report, "load", jumps ? "quasi-static" : "arc length");
     return true;
   }
 
@@ -132,10 +147,11 @@ namespace demold
         begin_path(last_problem);
         return true;
       }
+    // Shorter the next time, as an onset may be a mistake of the probe.
+    state.dt           = .5 * step;
     const double onset = onset_within(step);
     if (onset > 0. && try_load(onset))
       return true;
-    state.dt = .5 * step;
     if (state.dt >= increments.smallest)
       return true;
     if (!choose_next_constraint(last_problem))

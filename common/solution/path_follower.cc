@@ -21,8 +21,8 @@ namespace demold
     constexpr unsigned int few_iterations = 12;
 
     /// The order in which `adaptive` tries constraints where points soften: the
-    /// dissipation first, because it needs no sign. After the third the path is
-    /// jumped over; the fourth is for what does not soften.
+    /// dissipation first, because it needs no sign. After the third the body
+    /// slides; the fourth is for what does not soften.
     const std::array<std::string, 4> order = {
       {"dissipation", "largest opening", "interface", "cylindrical"}};
 
@@ -109,10 +109,10 @@ namespace demold
       return give_up(why);
     if (constraint->name() == order[2] || is_cylindrical())
       {
-        if (!jump())
+        if (!slide_down())
           return give_up(why);
         on_path = false;
-        use(order.front(), "a jump has led past what no other could follow");
+        use(order.front(), "a slide has led past what no other could follow");
         end_path("");
         return true;
       }

@@ -54,6 +54,9 @@ namespace demold
     bool jump();
     void adapt_path_step(const NewtonReport &report, const double dt);
 
+    // Where neither goes on (path_slide.cc).
+    bool slide_down();
+
     // What steps have in common (load_steps.cc).
     Points look();
     double next_mark() const;
@@ -61,7 +64,8 @@ namespace demold
     bool   leaves_the_books_open();
     void   accept(const NewtonReport &report,
                   const std::string  &constraint,
-                  const std::string  &strategy);
+                  const std::string  &strategy,
+                  const double        damped = 0.);
     void   reject(const NewtonReport &report, const std::string &why);
     void   save();
     void   load();

@@ -69,7 +69,7 @@ namespace demold
       corrector.solve(weak_form, *constraint, 1e-6 * increments.largest);
     const double dt   = weak_form.trial_time() - start;
     const double mark = next_mark();
-    if (!report.converged || releases_too_much(n) ||
+    if (!report.converged || releases_too_much(n) || leaves_the_books_open() ||
         std::abs(dt) > foreign_branch * increments.largest)
       {
         reject(report,
@@ -151,27 +151,5 @@ namespace demold
             return true;
       }
     return choose_next_constraint(last_problem);
-  }
-
-  /// What no constraint can follow is jumped over, as in quasi-statics: forward
-  /// in time to the nearest equilibrium that is found, whatever that releases;
-  /// the ledger shows it.
-  bool PathFollower::jump()
-  {
-    const double most =
-      std::min(increments.largest, next_mark() - weak_form.time());
-    for (double dt = 1e-3 * most; dt <= most; dt *= 2.)
-      {
-        look();
-        weak_form.begin_increment(weak_form.time() + dt, 0.);
-        const NewtonReport report = tools.newton.solve(weak_form);
-        if (report.converged)
-          {
-            accept(report, "load", "quasi-static");
-            return true;
-          }
-        reject(report, "");
-      }
-    return false;
   }
 } // namespace demold

@@ -56,6 +56,7 @@ namespace demold
     std::string      constraint;    ///< by which it was found
     double           clock    = 0.; ///< [s] latest time so far
     double           released = 0.; ///< [mJ] by the excursion that ends here
+    double           damped   = 0.; ///< [mJ] in dashpots, by a slide down
     StabilityReading stability;
   };
 

@@ -248,6 +248,14 @@ namespace demold
     v.compress(VectorOperation::insert);
   }
 
+  void WeakForm::set_extra_to_zero(Vector &v) const
+  {
+    for (const auto i : owned)
+      if (i >= space.owned.size())
+        v(i) = 0.;
+    v.compress(VectorOperation::insert);
+  }
+
   void WeakForm::update(const Vector &du, const double factor)
   {
     trial.add(factor, du);

@@ -145,6 +145,9 @@ namespace demold
     /// Prescribed entries of @p v set to zero.
     void set_supports_to_zero(Vector &v) const;
 
+    /// Entries of @p v at the extra unknowns set to zero.
+    void set_extra_to_zero(Vector &v) const;
+
     double time() const
     {
       return accepted_time;
