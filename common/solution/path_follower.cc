@@ -104,16 +104,16 @@ namespace demold
 
   bool PathFollower::choose_next_constraint(const std::string &why)
   {
-    if (tools.path.constraint != "adaptive" ||
-        max_over_ranks(weak_form, look().size()) == 0.)
+    if (tools.path.constraint != "adaptive")
       return give_up(why);
     if (constraint->name() == order[2] || is_cylindrical())
       {
         if (!slide_down())
           return give_up(why);
-        on_path = false;
-        use(order.front(), "a slide has led past what no other could follow");
-        end_path("");
+        on_path = is_cylindrical();
+        use(is_cylindrical() ? order.back() : order.front(),
+            "a slide has led past what no other could follow");
+        last_load = 0.;
         return true;
       }
     const auto now = std::find(order.begin(), order.end(), constraint->name());
