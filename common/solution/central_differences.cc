@@ -5,6 +5,8 @@
 #include "weak_form/vector_io.h"
 #include "weak_form/weak_form.h"
 
+#include <deal.II/base/mpi.h>
+
 namespace demold
 {
   using namespace dealii;
@@ -39,6 +41,23 @@ namespace demold
     return true;
   }
 
+  void CentralDifferences::find_free_masses(const WeakForm &weak_form)
+  {
+    if (free_mass.size() > 0)
+      return;
+    free_mass = mass;
+    weak_form.set_supports_to_zero(free_mass);
+  }
+
+  void CentralDifferences::start(const WeakForm &weak_form)
+  {
+    find_free_masses(weak_form);
+    for (const auto i : mass.locally_owned_elements())
+      committed_acceleration(i) =
+        free_mass(i) > 0. ? -weak_form.force(i) / free_mass(i) : 0.;
+    committed_acceleration.compress(VectorOperation::insert);
+  }
+
   Vector CentralDifferences::increment(const double dt) const
   {
     Vector du(committed_velocity);
@@ -48,25 +67,21 @@ namespace demold
 
   void CentralDifferences::kick(const WeakForm &weak_form, const double dt)
   {
-    acceleration_trial = weak_form.force;
-    weak_form.set_supports_to_zero(acceleration_trial);
-    Vector moved(weak_form.trial);
-    moved -= weak_form.accepted;
-    Vector free(mass); // mass of the free unknowns, 0 elsewhere
-    weak_form.set_supports_to_zero(free);
+    find_free_masses(weak_form);
     algorithmic = 0.;
     for (const auto i : mass.locally_owned_elements())
       {
-        const double m = free(i), a = committed_acceleration(i);
+        const double m = free_mass(i), a = committed_acceleration(i);
         if (m == 0.) // where the support leads it
           {
-            const double v = committed_velocity(i), v_new = moved(i) / dt;
+            const double moved = weak_form.trial(i) - weak_form.accepted(i);
+            const double v = committed_velocity(i), v_new = moved / dt;
             acceleration_trial(i) = 0.;
             velocity_trial(i)     = v_new;
             algorithmic -= .5 * mass(i) * (v_new * v_new - v * v);
             continue;
           }
-        const double a_new    = -acceleration_trial(i) / m;
+        const double a_new    = -weak_form.force(i) / m;
         acceleration_trial(i) = a_new;
         velocity_trial(i)     = committed_velocity(i) + .5 * dt * (a + a_new);
         algorithmic += m * dt * dt / 8. * (a * a - a_new * a_new);
@@ -77,7 +92,7 @@ namespace demold
 
   void CentralDifferences::close(const std::vector<ClosedPoint> &points)
   {
-    const double before = kinetic_energy(committed_velocity);
+    const double before = kinetic_energy(mass, committed_velocity);
     for (const ClosedPoint &point : points)
       {
         double v_n = 0.;
@@ -93,26 +108,28 @@ namespace demold
       }
     committed_velocity.compress(VectorOperation::insert);
     velocity_trial = committed_velocity;
-    impact += before - kinetic_energy(committed_velocity);
+    impact += before - kinetic_energy(mass, committed_velocity);
   }
 
-  double CentralDifferences::kinetic_energy() const
+  double CentralDifferences::free_kinetic_energy() const
   {
-    return kinetic_energy(velocity_trial);
+    return Utilities::MPI::sum(kinetic_energy(free_mass, velocity_trial),
+                               mass.get_mpi_communicator());
   }
 
-  double CentralDifferences::kinetic_energy(const Vector &v) const
+  double CentralDifferences::kinetic_energy(const Vector &masses,
+                                            const Vector &v) const
   {
     double twice = 0.;
-    for (const auto i : mass.locally_owned_elements())
-      twice += mass(i) * v(i) * v(i);
+    for (const auto i : masses.locally_owned_elements())
+      twice += masses(i) * v(i) * v(i);
     return .5 * twice;
   }
 
   Energies CentralDifferences::energies() const
   {
     Energies e;
-    e.kinetic     = kinetic_energy(velocity_trial);
+    e.kinetic     = kinetic_energy(mass, velocity_trial);
     e.algorithmic = committed_algorithmic + algorithmic;
     e.impact      = impact;
     return e;

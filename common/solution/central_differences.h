@@ -34,6 +34,10 @@ namespace demold
     void        save(std::ostream &) const override;
     void        load(std::istream &) override;
 
+    /// Before the first step: accelerations of the forces of the trial of
+    /// @p weak_form, loads that are there from the beginning.
+    void start(const WeakForm &weak_form);
+
     /// u_{n+1} - u_n [mm] of a step of @p dt [s]; nonsense at supports.
     Vector increment(const double dt) const;
 
@@ -49,8 +53,8 @@ namespace demold
     /// those of the forces, else the ledger would miss their work.
     void close(const std::vector<ClosedPoint> &points);
 
-    /// [mJ] of the trial, this rank's share.
-    double kinetic_energy() const;
+    /// [mJ] of the trial without prescribed unknowns; collective.
+    double free_kinetic_energy() const;
 
     const Vector &masses() const
     {
@@ -63,9 +67,11 @@ namespace demold
     }
 
   private:
-    double kinetic_energy(const Vector &v) const;
+    void   find_free_masses(const WeakForm &weak_form);
+    double kinetic_energy(const Vector &masses, const Vector &v) const;
 
     const Vector mass;
+    Vector       free_mass; ///< 0 at supports
     Vector       committed_velocity, committed_acceleration;
     Vector       velocity_trial, acceleration_trial;
     double       committed_algorithmic = 0., algorithmic = 0., impact = 0.;

@@ -20,15 +20,18 @@ namespace demold
 
   namespace
   {
-    /// Steps after which the critical one is found anew: always, and at least
-    /// where points have closed, as contact may be stiffer than the rubber.
-    constexpr unsigned int longest_trust = 1000, shortest_trust = 50;
+    /// Steps after which the critical one is found anew.
+    constexpr unsigned int longest_trust = 1000;
+
+    /// Where points have closed it is found at once, as contact may be stiffer
+    /// than the rubber: so many times in a row, then once in so many steps.
+    constexpr double most_credit = 20., steps_per_credit = 50.;
 
     /// Steps between two looks at the energies.
     constexpr unsigned int look_every = 100;
 
-    /// Kinetic energy over the work done so far that no stable run has: the
-    /// integrator lends at most as much as is there.
+    /// Kinetic energy of free nodes over what work and persistency have
+    /// brought that no stable run has: the integrator lends at most as much.
     constexpr double runaway = 10.;
 
     class ExplicitRun
@@ -45,6 +48,8 @@ namespace demold
     private:
       bool   interval();
       bool   step(const double dt);
+      void   start();
+      void   find_critical_step_if_due();
       void   find_critical_step();
       bool   is_sound();
       double next_step(const double record_time) const;
@@ -62,16 +67,15 @@ namespace demold
       IncrementState  local;
       IncrementState &state;
       StrategyResult  result;
-      double          records  = 0.;    ///< intervals so far
-      double          steps    = 0.;    ///< so far
-      double          trusted  = 0.;    ///< steps since the last look at dt_c
-      double          critical = 0.;    ///< [s]
-      double          noted    = 0.;    ///< [s] critical step on the console
-      double          work     = 0.;    ///< [mJ] largest abs(external) so far
-      bool            closing  = false; ///< since the last look at dt_c
+      double          records  = 0.; ///< intervals so far
+      double          steps    = 0.; ///< so far
+      double          trusted  = 0.; ///< steps since dt_c could last grow
+      double          critical = 0.; ///< [s]
+      double          noted    = 0.; ///< [s] critical step on the console
+      double          work     = 0.; ///< [mJ] largest supply so far
+      double          credit   = most_credit;
+      bool            closing  = false; ///< points, since the last look at dt_c
     };
-
-
 
     ExplicitRun::ExplicitRun(WeakForm                  &weak_form,
                              const ExplicitTools       &tools,
@@ -87,11 +91,11 @@ namespace demold
       , state(increments.state != nullptr ? *increments.state : local)
     {}
 
-
-
     StrategyResult ExplicitRun::run()
     {
-      if (!state.path.empty())
+      if (state.path.empty())
+        start();
+      else
         load();
       const double tiny = 1e-12 * end_time;
       while (end_time - weak_form.time() > tiny)
@@ -100,20 +104,27 @@ namespace demold
       return result;
     }
 
-
+    /// Loads that are there at once act from the first step on.
+    void ExplicitRun::start()
+    {
+      weak_form.begin_increment(weak_form.time() + 1e-12 * end_time, 0.);
+      weak_form.assemble(false, 0);
+      tools.motion.start(weak_form);
+      weak_form.reject();
+    }
 
     /// All steps up to the next record; false ends the run.
     bool ExplicitRun::interval()
     {
       const double start = weak_form.time();
+      const double next  = (records + 1.) * increments.largest;
+      // No record of what round-off leaves at the end.
       const double record_time =
-        std::min(end_time, (records + 1.) * increments.largest);
+        next < end_time - 1e-3 * increments.largest ? next : end_time;
       const double first = steps;
       while (record_time - weak_form.time() > 1e-9 * (record_time - start))
         {
-          if (critical == 0. || trusted >= longest_trust ||
-              (closing && trusted >= shortest_trust))
-            find_critical_step();
+          find_critical_step_if_due();
           if (!step(next_step(record_time)))
             return false;
         }
@@ -132,8 +143,6 @@ namespace demold
       return on_accept(record);
     }
 
-
-
     /// Equal steps that end at @p record_time.
     double ExplicitRun::next_step(const double record_time) const
     {
@@ -141,8 +150,6 @@ namespace demold
       const double dt   = tools.parameters.safety * critical;
       return rest / std::max(1., std::ceil(rest / dt * (1. - 1e-9)));
     }
-
-
 
     bool ExplicitRun::step(const double dt)
     {
@@ -169,10 +176,25 @@ namespace demold
         }
       steps += 1.;
       trusted += 1.;
+      credit = std::min(most_credit, credit + 1. / steps_per_credit);
       return std::fmod(steps, look_every) != 0. || is_sound();
     }
 
-
+    /// Chattering points would make the step jump up and down: what is found
+    /// where they close may only lower it.
+    void ExplicitRun::find_critical_step_if_due()
+    {
+      if (critical == 0. || trusted >= longest_trust)
+        find_critical_step();
+      else if (closing && credit >= 1.)
+        {
+          const double before = critical, age = trusted;
+          credit -= 1.;
+          find_critical_step();
+          critical = std::min(critical, before);
+          trusted  = age;
+        }
+    }
 
     void ExplicitRun::find_critical_step()
     {
@@ -199,29 +221,26 @@ namespace demold
       tools.note(text);
     }
 
-
-
     /// Is there no more energy than work has brought?
     bool ExplicitRun::is_sound()
     {
-      const Energies now = weak_form.energies();
-      work               = std::max(work, std::abs(now.external));
-      if (std::isfinite(now.kinetic) && std::isfinite(now.stored) &&
-          now.kinetic <= runaway * work + 1e-12)
+      const Energies now     = weak_form.energies();
+      const double   kinetic = tools.motion.free_kinetic_energy();
+      work = std::max(work, std::abs(now.external) + std::abs(now.impact));
+      if (std::isfinite(kinetic) && std::isfinite(now.stored) &&
+          kinetic <= runaway * work + 1e-12)
         return true;
       char text[120];
       std::snprintf(text,
                     sizeof(text),
                     "the kinetic energy of %.3g mJ exceeds %g times the work "
                     "of %.3g mJ",
-                    now.kinetic,
+                    kinetic,
                     runaway,
                     work);
       give_up(text);
       return false;
     }
-
-
 
     void ExplicitRun::give_up(const std::string &what)
     {
@@ -243,15 +262,17 @@ namespace demold
       result.reason  = text;
     }
 
-
-
     void ExplicitRun::save()
     {
-      state.path =
-        {records, steps, trusted, critical, noted, work, closing ? 1. : 0.};
+      state.path = {records,
+                    steps,
+                    trusted,
+                    critical,
+                    noted,
+                    work,
+                    credit,
+                    closing ? 1. : 0.};
     }
-
-
 
     void ExplicitRun::load()
     {
@@ -261,11 +282,10 @@ namespace demold
       critical = state.path.at(3);
       noted    = state.path.at(4);
       work     = state.path.at(5);
-      closing  = state.path.at(6) > 0.;
+      credit   = state.path.at(6);
+      closing  = state.path.at(7) > 0.;
     }
   } // namespace
-
-
 
   StrategyResult run_explicit_dynamics(WeakForm                  &weak_form,
                                        const ExplicitTools       &tools,
