@@ -111,6 +111,7 @@ namespace demold
       return make_strategy(parameters, tools, state);
     const IncrementParameters increments =
       increments_of(parameters, tools.end_time, state);
+    const double factor = scene.symmetry_factor;
     if (parameters.is_explicit())
       return [=, &parameters, &motion = add_motion(parameters, system)](
                const OnAccept &on_accept) {
@@ -118,13 +119,13 @@ namespace demold
                                      {motion,
                                       parameters.explicit_dynamics,
                                       tools.newton.seconds_assembly,
+                                      factor,
                                       tools.note},
                                      increments,
                                      tools.end_time,
                                      on_accept);
       };
-    Inertia     &inertia = add_inertia(scene, parameters, system);
-    const double factor  = scene.symmetry_factor;
+    Inertia &inertia = add_inertia(scene, parameters, system);
     if (parameters.strategy == "automatic")
       return [=, &parameters, &inertia](const OnAccept &on_accept) {
         return run_automatic(

@@ -3,7 +3,7 @@
 #include "solution/explicit_dynamics.h"
 
 #include "solution/central_differences.h"
-#include "solution/critical_step.h"
+#include "solution/critical_step_watch.h"
 #include "solution/explicit_parameters.h"
 #include "weak_form/weak_form.h"
 
@@ -20,19 +20,15 @@ namespace demold
 
   namespace
   {
-    /// Steps after which the critical one is found anew.
-    constexpr unsigned int longest_trust = 1000;
-
-    /// Where points have closed it is found at once, as contact may be stiffer
-    /// than the rubber: so many times in a row, then once in so many steps.
-    constexpr double most_credit = 20., steps_per_credit = 50.;
-
     /// Steps between two looks at the energies.
     constexpr unsigned int look_every = 100;
 
     /// Kinetic energy of free nodes over what work and persistency have
     /// brought that no stable run has: the integrator lends at most as much.
     constexpr double runaway = 10.;
+
+    /// Energy that contact may bring, over the same (theory D.4).
+    constexpr double most_from_impacts = .01;
 
     class ExplicitRun
     {
@@ -49,10 +45,10 @@ namespace demold
       bool   interval();
       bool   step(const double dt);
       void   start();
-      void   find_critical_step_if_due();
-      void   find_critical_step();
+      void   look_at_critical_step();
       bool   is_sound();
       double next_step(const double record_time) const;
+      void   judge_impacts();
       void   give_up(const std::string &what);
       void   save();
       void   load();
@@ -64,17 +60,15 @@ namespace demold
       const OnAccept            &on_accept;
       const MPI_Comm             communicator;
 
-      IncrementState  local;
-      IncrementState &state;
-      StrategyResult  result;
-      double          records  = 0.; ///< intervals so far
-      double          steps    = 0.; ///< so far
-      double          trusted  = 0.; ///< steps since dt_c could last grow
-      double          critical = 0.; ///< [s]
-      double          noted    = 0.; ///< [s] critical step on the console
-      double          work     = 0.; ///< [mJ] largest supply so far
-      double          credit   = most_credit;
-      bool            closing  = false; ///< points, since the last look at dt_c
+      IncrementState    local;
+      IncrementState   &state;
+      CriticalStepWatch watch;
+      StrategyResult    result;
+      double            records     = 0.; ///< intervals so far
+      double            steps       = 0.; ///< so far
+      double            noted       = 0.; ///< [s] critical step, on the console
+      double            work        = 0.; ///< [mJ] largest supply so far
+      unsigned int      in_interval = 0;  ///< steps
     };
 
     ExplicitRun::ExplicitRun(WeakForm                  &weak_form,
@@ -89,6 +83,7 @@ namespace demold
       , on_accept(on_accept)
       , communicator(weak_form.accepted.get_mpi_communicator())
       , state(increments.state != nullptr ? *increments.state : local)
+      , watch(weak_form, tools.motion.masses())
     {}
 
     StrategyResult ExplicitRun::run()
@@ -101,6 +96,7 @@ namespace demold
       while (end_time - weak_form.time() > tiny)
         if (!interval())
           break;
+      judge_impacts();
       return result;
     }
 
@@ -122,9 +118,10 @@ namespace demold
       const double record_time =
         next < end_time - 1e-3 * increments.largest ? next : end_time;
       const double first = steps;
+      in_interval        = 0;
       while (record_time - weak_form.time() > 1e-9 * (record_time - start))
         {
-          find_critical_step_if_due();
+          look_at_critical_step();
           if (!step(next_step(record_time)))
             return false;
         }
@@ -147,7 +144,7 @@ namespace demold
     double ExplicitRun::next_step(const double record_time) const
     {
       const double rest = record_time - weak_form.time();
-      const double dt   = tools.parameters.safety * critical;
+      const double dt   = tools.parameters.safety * watch.critical();
       return rest / std::max(1., std::ceil(rest / dt * (1. - 1e-9)));
     }
 
@@ -164,6 +161,8 @@ namespace demold
           give_up("an element turned inside out");
           return false;
         }
+      // After a restart the first step of an interval has no states before it.
+      bool changed = in_interval > 0 && weak_form.n_state_changes() > 0;
       tools.motion.kick(weak_form, dt);
       weak_form.accept();
       for (const auto &term : weak_form.term_list())
@@ -171,42 +170,24 @@ namespace demold
           const auto points = term->closed_points();
           if (Utilities::MPI::max(points.empty() ? 0 : 1, communicator) == 0)
             continue;
-          closing = true;
+          changed = true;
           tools.motion.close(points);
         }
       steps += 1.;
-      trusted += 1.;
-      credit = std::min(most_credit, credit + 1. / steps_per_credit);
+      ++in_interval;
+      watch.count(changed);
       return std::fmod(steps, look_every) != 0. || is_sound();
     }
 
-    /// Chattering points would make the step jump up and down: what is found
-    /// where they close may only lower it.
-    void ExplicitRun::find_critical_step_if_due()
-    {
-      if (critical == 0. || trusted >= longest_trust)
-        find_critical_step();
-      else if (closing && credit >= 1.)
-        {
-          const double before = critical, age = trusted;
-          credit -= 1.;
-          find_critical_step();
-          critical = std::min(critical, before);
-          trusted  = age;
-        }
-    }
-
-    void ExplicitRun::find_critical_step()
+    void ExplicitRun::look_at_critical_step()
     {
       const Timer timer;
       // The tangent of a step that is short for the rubber.
-      const double dt =
-        critical > 0. ? tools.parameters.safety * critical : 1e-9 * end_time;
-      critical = critical_step(weak_form, tools.motion.masses(), dt);
+      const double last   = tools.parameters.safety * watch.critical();
+      const bool   looked = watch.look(last > 0. ? last : 1e-9 * end_time);
       tools.seconds_assembly += timer.wall_time();
-      trusted = 0.;
-      closing = false;
-      if (noted > 0. && critical > .5 * noted)
+      const double critical = watch.critical();
+      if (!looked || (noted > 0. && critical > .5 * noted))
         return;
       noted = critical;
       char text[160];
@@ -235,11 +216,29 @@ namespace demold
                     sizeof(text),
                     "the kinetic energy of %.3g mJ exceeds %g times the work "
                     "of %.3g mJ",
-                    kinetic,
+                    tools.energy_factor * kinetic,
                     runaway,
-                    work);
+                    tools.energy_factor * work);
       give_up(text);
       return false;
+    }
+
+    /// Contact takes energy. Where it brings some, steps are too long for it.
+    void ExplicitRun::judge_impacts()
+    {
+      const double impact = weak_form.energies().impact;
+      if (impact >= -most_from_impacts * work)
+        return;
+      char text[160];
+      std::snprintf(
+        text,
+        sizeof(text),
+        "WARNING: contact has brought %.3g mJ, %.3g %% of the work: "
+        "lower Solution/safety factor or mass scaling",
+        -tools.energy_factor * impact,
+        -100. * impact / work);
+      result.events.emplace_back(text);
+      tools.note(text);
     }
 
     void ExplicitRun::give_up(const std::string &what)
@@ -254,8 +253,8 @@ namespace demold
                     steps + 1.,
                     weak_form.time(),
                     what.c_str(),
-                    safety * critical,
-                    critical,
+                    safety * watch.critical(),
+                    watch.critical(),
                     safety,
                     safety > 1. ? ": above 1 the integration is unstable" : "");
       result.gave_up = true;
@@ -264,26 +263,18 @@ namespace demold
 
     void ExplicitRun::save()
     {
-      state.path = {records,
-                    steps,
-                    trusted,
-                    critical,
-                    noted,
-                    work,
-                    credit,
-                    closing ? 1. : 0.};
+      state.path         = {records, steps, noted, work};
+      const auto watched = watch.save();
+      state.path.insert(state.path.end(), watched.begin(), watched.end());
     }
 
     void ExplicitRun::load()
     {
-      records  = state.path.at(0);
-      steps    = state.path.at(1);
-      trusted  = state.path.at(2);
-      critical = state.path.at(3);
-      noted    = state.path.at(4);
-      work     = state.path.at(5);
-      credit   = state.path.at(6);
-      closing  = state.path.at(7) > 0.;
+      records = state.path.at(0);
+      steps   = state.path.at(1);
+      noted   = state.path.at(2);
+      work    = state.path.at(3);
+      watch.load({state.path.begin() + 4, state.path.end()});
     }
   } // namespace
 

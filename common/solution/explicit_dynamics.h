@@ -16,17 +16,18 @@ namespace demold
   /// What explicit dynamics works with, besides the weak form.
   struct ExplicitTools
   {
-    CentralDifferences                      &motion; ///< a term already
-    const ExplicitParameters                &parameters;
-    double                                  &seconds_assembly; ///< added to
+    CentralDifferences       &motion; ///< a term already
+    const ExplicitParameters &parameters;
+    double                   &seconds_assembly; ///< added to
+    double energy_factor; ///< whole body over model, in words
     std::function<void(const std::string &)> note; ///< on the console
   };
 
   /// Integrates @p weak_form to @p end_time by central differences. The step
   /// is a share of the critical one, which is found anew from time to time and
-  /// where points have closed. Records come after every interval of
-  /// `increments.largest`; steps are equal within one. Gives up where
-  /// an element turns inside out or energy comes from nowhere.
+  /// where points have changed their state. Records come after every interval
+  /// of `increments.largest`; steps are equal within one. Gives up where an
+  /// element turns inside out or energy comes from nowhere.
   StrategyResult run_explicit_dynamics(WeakForm                  &weak_form,
                                        const ExplicitTools       &tools,
                                        const IncrementParameters &increments,

@@ -163,4 +163,43 @@ namespace demold
                 2. * pressure,
                 .02 * 2. * pressure);
   }
+
+  namespace
+  {
+    /// A block pressed and rubbed on a deformable one, coarse, 3-D.
+    SceneRun press(const std::string &strategy, const std::string &mass_scaling)
+    {
+      return run_nts("press.prm",
+                     {"Body/cells=3, 3, 3",
+                      "Base/cells=4, 4, 2",
+                      "Friction/coefficient=0.2",
+                      "Solution/first increment=0.02",
+                      "Solution/largest increment=0.02",
+                      "Solution/strategy=" + strategy,
+                      "Solution/mass scaling=" + mass_scaling});
+    }
+  } // namespace
+
+  TEST(ExplicitPress, does_the_work_of_quasi_statics_on_two_bodies)
+  {
+    const SceneRun run    = press("explicit dynamics", "1e5");
+    const SceneRun slowly = press("quasi-static", "1");
+    ASSERT_EQ(run.status(), "completed");
+    ASSERT_EQ(slowly.status(), "completed");
+    const double work = slowly.number("work of demolding [mJ]");
+    EXPECT_NEAR(run.number("work of demolding [mJ]"), work, .01 * work);
+    EXPECT_LT(run.number("energy balance error [-]"), .01);
+    const auto events = run.summary.at("events").get<std::string>();
+    EXPECT_EQ(events.find("WARNING"), std::string::npos) << events;
+  }
+
+  TEST(ExplicitPress, warns_where_steps_are_so_long_that_contact_brings_energy)
+  {
+    const SceneRun run = press("explicit dynamics", "1e6");
+    EXPECT_LT(run.number("impact dissipation [mJ]"),
+              -.01 * run.number("work of demolding [mJ]"));
+    const auto events = run.summary.at("events").get<std::string>();
+    EXPECT_NE(events.find("WARNING: contact has brought"), std::string::npos)
+      << events;
+  }
 } // namespace demold

@@ -41,7 +41,7 @@ namespace
       increments.state   = &state;
       return run_explicit_dynamics(
         *form,
-        {motion, parameters, seconds, [](const std::string &) {}},
+        {motion, parameters, seconds, 1., [](const std::string &) {}},
         increments,
         end,
         on_accept);
