@@ -137,8 +137,11 @@ namespace demold
     count_excursion(now);
     largest_gap =
       std::max(largest_gap, std::abs(now.energies.gap() - unexplained));
+    largest_kinetic = std::max(largest_kinetic, now.energies.kinetic);
     if (now.force > peak_force)
       {
+        kinetic_to_peak = largest_kinetic;
+        entry_to_peak   = largest_entry;
         peak_force      = now.force;
         opening_at_peak = now.opening;
       }
@@ -150,7 +153,7 @@ namespace demold
         std::make_unique<ResultTable>(context.output_folder + "/history.csv",
                                       column_names());
     rows_saved += 1.;
-    if (now.strategy == "dynamics")
+    if (now.strategy == "dynamics" || now.strategy == "explicit dynamics")
       with_inertia += 1.;
     if (table)
       table->add_row(row(now));
@@ -171,6 +174,11 @@ namespace demold
   {
     // Below a femtojoule there is nothing but round-off to balance.
     return largest_entry > 1e-12 ? largest_gap / largest_entry : 0.;
+  }
+
+  double Recorder::kinetic_share_to_peak() const
+  {
+    return entry_to_peak > 1e-12 ? kinetic_to_peak / entry_to_peak : 0.;
   }
 
   void Recorder::summarise(Summary &summary) const
@@ -194,6 +202,9 @@ namespace demold
     summary.set("jumps", n_jumps);
     summary.set("share of increments with inertia [-]",
                 rows_saved > 0. ? with_inertia / rows_saved : 0.);
+    summary.set("kinetic share up to the peak [-]", kinetic_share_to_peak());
+    summary.set("largest kinetic share [-]",
+                largest_entry > 1e-12 ? largest_kinetic / largest_entry : 0.);
     summary.set("largest principal stretch [-]", largest_stretch);
     summary.set("largest principal tension [MPa]", largest_tension);
     summary.set("energy balance error [-]", energy_balance_error());
@@ -249,7 +260,10 @@ namespace demold
                                   largest_tension,
                                   unexplained,
                                   with_inertia,
-                                  damped};
+                                  damped,
+                                  largest_kinetic,
+                                  kinetic_to_peak,
+                                  entry_to_peak};
     for (const double e : last.energies.as_array())
       values.push_back(e);
     return values;
@@ -270,8 +284,11 @@ namespace demold
     unexplained     = values.at(10);
     with_inertia    = values.at(11);
     damped          = values.at(12);
+    largest_kinetic = values.at(13);
+    kinetic_to_peak = values.at(14);
+    entry_to_peak   = values.at(15);
     std::array<double, Energies::n_entries> e;
-    std::copy_n(values.begin() + 13, e.size(), e.begin());
+    std::copy_n(values.begin() + 16, e.size(), e.begin());
     last.energies = Energies::from_array(e);
   }
 } // namespace demold

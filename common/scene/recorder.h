@@ -53,6 +53,10 @@ namespace demold
     /// Largest ledger gap over the largest entry so far [-].
     double energy_balance_error() const;
 
+    /// Largest kinetic energy up to the peak force, over the largest ledger
+    /// entry up to there [-]: what inertia adds before anything jumps.
+    double kinetic_share_to_peak() const;
+
     /// Adds the results to @p summary.
     void summarise(Summary &summary) const;
 
@@ -84,6 +88,8 @@ namespace demold
     Observation                  last;
     double                       peak_force = 0., opening_at_peak = 0.;
     double                       largest_entry = 0., largest_gap = 0.;
+    double                       largest_kinetic = 0.; ///< [mJ]
+    double                       kinetic_to_peak = 0., entry_to_peak = 0.;
     double                       released        = 0.; ///< [mJ] in jumps
     double                       unexplained     = 0.; ///< [mJ] of these
     double                       damped          = 0.; ///< [mJ] in dashpots

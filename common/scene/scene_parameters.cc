@@ -61,12 +61,14 @@ namespace demold
     prm.add_parameter("strategy",
                       strategy,
                       "how the scene is solved; automatic: quasi-static, and "
-                      "dynamics for what jumps",
-                      Patterns::Selection(
-                        "quasi-static|dynamics|arc length|automatic"));
+                      "dynamics for what jumps; explicit dynamics: central "
+                      "differences in steps below the critical one",
+                      Patterns::Selection("quasi-static|dynamics|arc length|"
+                                          "automatic|explicit dynamics"));
     increments.add_parameters(prm);
     path.add_parameters(prm);
     integrator.add_parameters(prm);
+    explicit_dynamics.add_parameters(prm);
     prm.add_parameter("accuracy",
                       accuracy,
                       "eta displacement error of a dynamic step over the "
@@ -86,16 +88,27 @@ namespace demold
     interface.check(element);
     increments.check();
     linear_solver.check();
+    check_inertia();
+  }
+
+  void SceneParameters::check_inertia() const
+  {
     if (has_inertia() && !(material.density > 0.))
       throw ExcParameter("Material/density",
                          "must be positive for Solution/strategy = " +
                            strategy + "; got " +
                            std::to_string(material.density) + " t/mm^3.");
+    if (is_explicit() && interface.is_mortar())
+      throw ExcParameter("Contact/formulation",
+                         "must be node to segment or none for "
+                         "Solution/strategy = explicit dynamics, as "
+                         "multipliers have no mass; got mortar. Take "
+                         "node to segment, or dynamics.");
   }
 
   bool SceneParameters::has_inertia() const
   {
-    return strategy == "dynamics" || strategy == "automatic";
+    return strategy == "dynamics" || strategy == "automatic" || is_explicit();
   }
 
   void SceneParameters::check_cure() const

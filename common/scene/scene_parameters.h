@@ -8,6 +8,7 @@
 #include "cure/press_parameters.h"
 #include "material/rubber_model.h"
 #include "scene/interface_parameters.h"
+#include "solution/explicit_parameters.h"
 #include "solution/inertia.h"
 #include "solution/linear_solver.h"
 #include "solution/nonlinear_solver.h"
@@ -35,6 +36,7 @@ namespace demold
     IncrementParameters    increments;
     PathParameters         path;
     TimeIntegrator         integrator;
+    ExplicitParameters     explicit_dynamics;
     double                 accuracy = .01; ///< eta of the dynamic step rule
     NewtonParameters       newton;
     LinearSolverParameters linear_solver;
@@ -55,6 +57,11 @@ namespace demold
     /// Do nodes have mass: dynamics, now or when it is needed?
     bool has_inertia() const;
 
+    bool is_explicit() const
+    {
+      return strategy == "explicit dynamics";
+    }
+
     /// The rubber in its uniform state of cure, else in the hardest.
     RubberLaw typical_law() const;
 
@@ -70,6 +77,7 @@ namespace demold
   private:
     void add_solution(dealii::ParameterHandler &prm);
     void check_cure() const;
+    void check_inertia() const;
   };
 } // namespace demold
 

@@ -4,7 +4,9 @@
 
 #include "solid/lumped_mass.h"
 #include "solution/automatic.h"
+#include "solution/central_differences.h"
 #include "solution/dynamics.h"
+#include "solution/explicit_dynamics.h"
 #include "solution/path_following.h"
 #include "solution/quasi_static.h"
 
@@ -22,7 +24,7 @@ namespace demold
     {
       IncrementParameters increments = parameters.increments;
       if (increments.largest <= 0.)
-        increments.largest = end_time / 50.;
+        increments.largest = end_time / (parameters.is_explicit() ? 500. : 50.);
       if (increments.first <= 0.)
         increments.first = std::min(increments.largest, end_time / 200.);
       if (increments.smallest <= 0.)
@@ -51,6 +53,22 @@ namespace demold
                                   length);
       Inertia &term = *inertia;
       system.weak_form->add(std::move(inertia));
+      return term;
+    }
+
+    template <int dim>
+    CentralDifferences &add_motion(const SceneParameters &parameters,
+                                   SceneSystem<dim>      &system)
+    {
+      const double density =
+        parameters.material.density * parameters.explicit_dynamics.mass_scaling;
+      auto motion = std::make_unique<CentralDifferences>(
+        lumped_mass<dim>(system.dof_handler,
+                         parameters.plane(),
+                         density,
+                         system.weak_form->trial));
+      CentralDifferences &term = *motion;
+      system.weak_form->add(std::move(motion));
       return term;
     }
   } // namespace
@@ -93,8 +111,21 @@ namespace demold
       return make_strategy(parameters, tools, state);
     const IncrementParameters increments =
       increments_of(parameters, tools.end_time, state);
-    Inertia     &inertia = add_inertia(scene, parameters, system);
-    const double factor  = scene.symmetry_factor;
+    const double factor = scene.symmetry_factor;
+    if (parameters.is_explicit())
+      return [=, &parameters, &motion = add_motion(parameters, system)](
+               const OnAccept &on_accept) {
+        return run_explicit_dynamics(tools.weak_form,
+                                     {motion,
+                                      parameters.explicit_dynamics,
+                                      tools.newton.seconds_assembly,
+                                      factor,
+                                      tools.note},
+                                     increments,
+                                     tools.end_time,
+                                     on_accept);
+      };
+    Inertia &inertia = add_inertia(scene, parameters, system);
     if (parameters.strategy == "automatic")
       return [=, &parameters, &inertia](const OnAccept &on_accept) {
         return run_automatic(

@@ -22,6 +22,10 @@ namespace demold
 
   namespace
   {
+    /// What scaled masses may hold of the energy before anything jumps (theory
+    /// D.4).
+    constexpr double largest_kinetic_share = .05;
+
     template <int dim>
     class Simulation
     {
@@ -49,7 +53,8 @@ namespace demold
       bool      is_released(const Observation &now);
       void      write_checkpoint();
       void      read_checkpoint();
-      RunStatus finish(const StrategyResult &result);
+      void      judge_mass_scaling(StrategyResult &result);
+      RunStatus finish(StrategyResult result);
 
       const Scene<dim>      &scene;
       const SceneParameters &parameters;
@@ -64,7 +69,8 @@ namespace demold
       Recorder                          recorder;
       std::unique_ptr<SceneFields<dim>> fields;
       IncrementState                    increment_state;
-      unsigned int                      increments   = 0;  ///< so far
+      unsigned int                      records      = 0;  ///< so far
+      unsigned int                      increments   = 0;  ///< in these
       double                            last_contact = 0.; ///< opening [mm]
       bool                              was_stopped  = false;
     };
@@ -116,12 +122,13 @@ namespace demold
       Timer             clock;
       const Observation now = observe(scene, *system, record);
       recorder.record(now);
-      ++increments;
-      fields->write_if_due(increments);
+      ++records;
+      increments += record.steps;
+      fields->write_if_due(records);
       const bool ends = is_released(now);
       was_stopped     = stop_requested(communicator);
       if (was_stopped || (parameters.checkpoint_every > 0 &&
-                          increments % parameters.checkpoint_every == 0))
+                          records % parameters.checkpoint_every == 0))
         write_checkpoint();
       seconds_output += clock.wall_time();
       return !ends && !was_stopped;
@@ -136,8 +143,10 @@ namespace demold
       Checkpoint checkpoint(context.output_folder, communicator);
       system->weak_form->save(checkpoint.stream());
       checkpoint.put(recorder.save());
-      checkpoint.put(
-        {static_cast<double>(increments), last_contact, newton->largest_force});
+      checkpoint.put({static_cast<double>(increments),
+                      last_contact,
+                      newton->largest_force,
+                      static_cast<double>(records)});
       checkpoint.put(increment_state.save());
       checkpoint.put(increment_state.path);
       checkpoint.put(linear_solver.statistics().counts());
@@ -155,6 +164,7 @@ namespace demold
       increments            = static_cast<unsigned int>(values.at(0));
       last_contact          = values.at(1);
       newton->largest_force = values.at(2);
+      records               = static_cast<unsigned int>(values.at(3));
       increment_state.load(file.get());
       increment_state.path = file.get();
       linear_solver.continue_from(
@@ -164,10 +174,32 @@ namespace demold
     }
 
     template <int dim>
-    RunStatus Simulation<dim>::finish(const StrategyResult &result)
+    void Simulation<dim>::judge_mass_scaling(StrategyResult &result)
+    {
+      const double scaling = parameters.explicit_dynamics.mass_scaling;
+      const double share   = recorder.kinetic_share_to_peak();
+      if (!parameters.is_explicit() || scaling <= 1. ||
+          share <= largest_kinetic_share)
+        return;
+      char text[200];
+      std::snprintf(text,
+                    sizeof(text),
+                    "WARNING: up to the peak force kinetic energy reached %.3g "
+                    "%% of the largest entry of the ledger, more than %g %%: "
+                    "lower Solution/mass scaling = %g",
+                    100. * share,
+                    100. * largest_kinetic_share,
+                    scaling);
+      result.events.emplace_back(text);
+      recorder.note(text);
+    }
+
+    template <int dim>
+    RunStatus Simulation<dim>::finish(StrategyResult result)
     {
       Timer clock;
-      fields->write_last(increments);
+      judge_mass_scaling(result);
+      fields->write_last(records);
       if (system->interface != nullptr)
         write_interface_table(context.output_folder + "/interface.csv",
                               *system->interface);

@@ -45,7 +45,8 @@ namespace demold
                       Patterns::Double(0.));
     prm.add_parameter("largest increment",
                       largest,
-                      "dt_max; 0: 1/50 of the process [s]",
+                      "dt_max; 0: 1/50 of the process; of explicit dynamics: "
+                      "between two records, 0: 1/500 [s]",
                       Patterns::Double(0.));
     prm.add_parameter("growth",
                       growth,

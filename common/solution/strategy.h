@@ -70,6 +70,8 @@ namespace demold
     unsigned int rejected; ///< so far
 
     std::optional<PathPoint> path; ///< of path following only
+
+    unsigned int steps = 1; ///< of the time integration that it sums up
   };
 
   /// Called after each accepted increment; false ends the run.

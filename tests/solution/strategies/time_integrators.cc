@@ -4,10 +4,8 @@
 #include "solution/inertia.h"
 #include "solution/linear_solver.h"
 #include "solution/newton.h"
-#include "weak_form/assembler.h"
-#include "weak_form/weak_form.h"
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include "solution/strategies/spring.h"
 
 #include <gtest/gtest.h>
 
@@ -17,68 +15,6 @@ using namespace demold;
 
 namespace
 {
-  constexpr double mass = 2e-9, stiffness = 5.; // [t], [N/mm]
-  constexpr double pull = 100.;                 // [mm/s]
-
-  const double omega = std::sqrt(stiffness / mass); // [1/s]
-
-  /// Spring between the mass, unknown 0, and its support, unknown 1.
-  class Spring : public Term
-  {
-  public:
-    std::string name() const override
-    {
-      return "spring";
-    }
-
-    TermKind kind() const override
-    {
-      return TermKind::bulk;
-    }
-
-    bool symmetric() const override
-    {
-      return true;
-    }
-
-    bool assemble(const Configuration &now, Assembler &assembler) override
-    {
-      const double           stretch = now.u(0) - now.u(1);
-      dealii::Vector<double> r(2);
-      r(0) = stiffness * stretch;
-      r(1) = -r(0);
-      dealii::FullMatrix<double> K(2, 2);
-      K(0, 0) = K(1, 1) = stiffness;
-      K(0, 1) = K(1, 0) = -stiffness;
-      if (assembler.with_tangent())
-        assembler.add({0, 1}, r, K);
-      else
-        assembler.add({0, 1}, r);
-      stored = .5 * stiffness * stretch * stretch;
-      return true;
-    }
-
-    Energies energies() const override
-    {
-      Energies e;
-      e.stored = stored;
-      return e;
-    }
-
-    void commit() override
-    {}
-
-    void revert() override
-    {}
-
-    std::size_t history_bytes() const override
-    {
-      return 0;
-    }
-
-    double stored = 0.;
-  };
-
   /// At rest until the support is pulled with constant velocity; the support
   /// stops at @p stop [s].
   class Oscillator
@@ -89,32 +25,9 @@ namespace
       , solver(LinearSolverParameters(), MPI_COMM_SELF)
       , newton(parameters(), solver)
     {
-      const auto all = dealii::complete_index_set(2);
-      Supports   supports;
-      supports.unknowns = {1};
-      supports.values   = [stop](const double t, std::vector<double> &values) {
-        values[0] = pull * std::min(t, stop);
-      };
-      form = std::make_unique<WeakForm>(
-        DisplacementSpace{
-          MPI_COMM_SELF,
-          all,
-          all,
-          [](dealii::DynamicSparsityPattern          &pattern,
-             const dealii::AffineConstraints<double> &constraints) {
-            constraints.add_entries_local_to_global(
-              std::vector<dealii::types::global_dof_index>{0, 1},
-              pattern,
-              false);
-          }},
-        supports);
-      form->add(std::make_unique<Spring>());
-      form->setup();
-      Vector m = form->new_vector();
-      m(0)     = mass;
-      m.compress(dealii::VectorOperation::insert);
-      inertia = static_cast<Inertia *>(
-        &form->add(std::make_unique<Inertia>(m, integrator, 1e6)));
+      form    = pulled_spring(stop);
+      inertia = static_cast<Inertia *>(&form->add(
+        std::make_unique<Inertia>(spring_masses(*form), integrator, 1e6)));
     }
 
     void run(const double end, const unsigned int n, const OnAccept &on_accept)
