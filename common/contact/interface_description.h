@@ -29,13 +29,17 @@ namespace demold
     // Of the mortar form.
     double       augmentation     = 0.; ///< c_N [MPa/mm]; 0: chosen, theory C8
     double       stiffness        = 1.; ///< E [MPa] of the rubber, to choose it
-        bool         dual_multipliers = false;
+    bool         dual_multipliers = false;
     bool         condensed        = false; ///< dual ones on a rigid mould
-    unsigned int quadrature_order = 5; ///< degree integrated exactly
+    unsigned int quadrature_order = 5;     ///< degree integrated exactly
 
     std::optional<AdhesionLaw> adhesion;
 
-    /// Is this reference position bonded at the start?
+    /// Do bonds form where surfaces are pressed together for the first time,
+    /// rather than where they meet at the start? Node to segment only.
+    bool bonds_on_touch = false;
+
+    /// May this reference position bond?
     std::function<bool(const dealii::Point<3> &)> bonded =
       [](const dealii::Point<3> &) { return true; };
     PlaneModel plane;

@@ -29,6 +29,7 @@ namespace demold
       committed.friction.resize(n);
     if (description.adhesion)
       committed.bond.resize(n);
+    may_bond.assign(n, false);
     just_closed.assign(n, false);
     last_state.assign(n, state_free);
     last_bond_status.assign(n, AdhesionStatus::separated);
@@ -39,6 +40,9 @@ namespace demold
 
   void NodeToSegment::start_point(const unsigned int p)
   {
+    const Point<3> &x = surfaces.x(p);
+    may_bond[p]       = description.adhesion && description.bonds_on_touch &&
+                  description.bonded(x);
     const auto found = surfaces.nearest(p, numbers::invalid_unsigned_int);
     if (!found)
       return;
@@ -47,8 +51,8 @@ namespace demold
     contact.gap             = found->gap;
     contact.last_facet      = found->facet;
 
-    const Point<3> &x = surfaces.x(p);
-    if (!description.adhesion || !description.bonded(x) ||
+    if (!description.adhesion || description.bonds_on_touch ||
+        !description.bonded(x) ||
         std::abs(found->gap) > .5 * description.adhesion->rupture_gap())
       return;
     BondHistory &bond = committed.bond[p];
@@ -139,12 +143,36 @@ namespace demold
     for (unsigned int p = 0; p < surfaces.n_points(); ++p)
       just_closed[p] = trial.contact[p].closed && !committed.contact[p].closed;
     committed = trial;
+    if (description.adhesion && description.bonds_on_touch)
+      bond_on_touch();
     if (description.adhesion && description.adhesion->rest_efficiency > 0.)
       bond_again();
     const double stored = now.stored;
     committed_work += now;
     committed_work.stored = stored;
     revert();
+  }
+
+  /// The anchor lies on the master, not where the penalty lets the point
+  /// penetrate: the bond pulls from where the pressure ends.
+  void NodeToSegment::bond_on_touch()
+  {
+    for (unsigned int p = 0; p < surfaces.n_points(); ++p)
+      {
+        const auto  &pairing = surfaces.last_pairing(p);
+        BondHistory &bond    = committed.bond[p];
+        if (bond.bonded || !may_bond[p] || !pairing ||
+            !(committed.contact[p].closed && committed.contact[p].gap < 0.))
+          continue;
+        const Master               &master = surfaces.master();
+        const SurfacePair::BondFoot foot   = surfaces.bond_foot(p, *pairing);
+        bond.bonded                        = true;
+        bond.anchor                        = master.drag_anchor(
+          foot.facet,
+          contact_kinematics(*pairing, surfaces.x(p), master.surface).x_m);
+        bond.state.gap = surfaces.x(p) - master.place(bond.anchor).x;
+        bond.status    = AdhesionStatus::adhering;
+      }
   }
 
   void NodeToSegment::bond_again()

@@ -67,6 +67,7 @@ namespace demold
     };
 
     void                      start_point(const unsigned int point);
+    void                      bond_on_touch();
     void                      bond_again();
     std::vector<unsigned int> points_that_hold() const;
     AdhesionResponse          respond(const Configuration &,
@@ -98,6 +99,7 @@ namespace demold
     Energies       now;            ///< in the trial increment; stored: in all
     Increment      increment;
 
+    std::vector<bool> may_bond;    ///< on touch, where the scene lets it
     std::vector<bool> just_closed; ///< in the last accepted increment
     std::vector<int>  last_state;  ///< of the last assembly, theory C.5
     std::vector<AdhesionStatus> last_bond_status;

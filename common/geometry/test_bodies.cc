@@ -100,10 +100,11 @@ namespace demold
     }
 
     // Fine over fine_length, then growing; lengths as parts of `scale`.
-    GridAxis axis_from_fine_end(const HalfCylinder &body,
-                                const double        begin,
-                                const double        length,
-                                const double        scale)
+    GridAxis axis_from_fine_end(const FineZone &body,
+                                const double    begin,
+                                const double    length,
+                                const double    fine_length,
+                                const double    scale)
     {
       const CellSizes fine{body.fine_size / scale,
                            body.fine_size / scale,
@@ -112,7 +113,7 @@ namespace demold
                               body.fine_size / scale,
                               body.growth};
       const double    fine_end =
-        begin + std::min(body.fine_width / scale, 0.5 * length);
+        begin + std::min(fine_length / scale, 0.5 * length);
       GridAxis axis;
       append_interval(axis, {begin, fine_end, false, false, 1, 0}, fine);
       append_interval(axis,
@@ -135,17 +136,27 @@ namespace demold
       return {std::sin(angle), (p[1] - 1) * std::cos(angle)};
     }
 
+    double fine_depth(const FineZone &body)
+    {
+      return body.fine_depth > 0 ? body.fine_depth : body.fine_width;
+    }
+
+    void check_sizes(const FineZone &body)
+    {
+      AssertThrow(body.fine_size > 0 && body.fine_size <= body.far_size &&
+                    body.growth > 1 && body.fine_width > 0,
+                  ExcMessage(
+                    "Fine cells must be positive and at most far_size, "
+                    "the growth above 1."));
+    }
+
     StructuredGrid<2> half_cylinder_grid(const HalfCylinder &body)
     {
       const bool is_disc = (body.half_angle == 90);
       AssertThrow(is_disc || (body.half_angle > 0 && body.half_angle <= 75),
                   ExcMessage(
                     "The half angle must be 90 or in (0, 75] degree."));
-      AssertThrow(body.fine_size > 0 && body.fine_size <= body.far_size &&
-                    body.growth > 1 && body.fine_width > 0,
-                  ExcMessage(
-                    "Fine cells must be positive and at most far_size, "
-                    "the growth above 1."));
+      check_sizes(body);
       const double R     = body.radius;
       const double angle = body.half_angle * numbers::PI / 180;
 
@@ -153,8 +164,13 @@ namespace demold
       // At the lowest point a step dx of the half square is R dx / sqrt(2)
       // long.
       grid.axes[0] =
-        axis_from_fine_end(body, 0, 1, is_disc ? R / std::sqrt(2.) : R * angle);
-      grid.axes[1] = axis_from_fine_end(body, is_disc ? -1 : 0, 1, R);
+        axis_from_fine_end(body,
+                           0,
+                           1,
+                           body.fine_width,
+                           is_disc ? R / std::sqrt(2.) : R * angle);
+      grid.axes[1] =
+        axis_from_fine_end(body, is_disc ? -1 : 0, 1, fine_depth(body), R);
       if (!body.right_half)
         grid.axes[0] = mirrored(grid.axes[0]);
 
@@ -173,6 +189,36 @@ namespace demold
         if (face == 2 || is_disc)
           return Boundary::bottom;
         return face == 0 ? Boundary::left : Boundary::right;
+      };
+      return grid;
+    }
+
+    StructuredGrid<2> graded_box_grid(const GradedBox &box)
+    {
+      check_sizes(box);
+      const double    x = box.lower_corner[0], y = box.lower_corner[1];
+      const double    right = x + box.size[0];
+      const double    begin = std::max(x, box.fine_centre - box.fine_width);
+      const double    end   = std::min(right, box.fine_centre + box.fine_width);
+      const CellSizes fine{box.fine_size, box.fine_size, box.growth};
+      const CellSizes growing{box.far_size, box.fine_size, box.growth};
+      AssertThrow(begin < end,
+                  ExcMessage("The fine zone must lie in the box."));
+
+      StructuredGrid<2> grid;
+      GridAxis         &along = grid.axes[0];
+      append_interval(along, {x, begin, false, true, 1, 0}, growing);
+      append_interval(along, {begin, end, false, false, 1, 0}, fine);
+      append_interval(along, {end, right, true, false, 1, 0}, growing);
+      grid.axes[1] =
+        axis_from_fine_end(box, y, box.size[1], fine_depth(box), 1);
+      grid.keep    = [](const CellIndex<2> &) { return true; };
+      grid.map     = [](const Point<2> &p) { return p; };
+      grid.face_id = [](const CellIndex<2> &, const unsigned int face) {
+        return std::array<Boundary::Id, 4>{{Boundary::left,
+                                            Boundary::right,
+                                            Boundary::bottom,
+                                            Boundary::top}}[face];
       };
       return grid;
     }
@@ -217,6 +263,14 @@ namespace demold
     append_grid(cells, box_grid(lower), 1, Boundary::base_offset);
     create_triangulation(cells, triangulation);
     check_cells(triangulation, "half cylinder on a box");
+  }
+
+  void make_graded_box(const GradedBox &box, Triangulation<2, 2> &triangulation)
+  {
+    GridCells<2> cells;
+    append_grid(cells, graded_box_grid(box));
+    create_triangulation(cells, triangulation);
+    check_cells(triangulation, "graded box");
   }
 
   template void make_box(const Box<2> &, Triangulation<2, 2> &);

@@ -61,23 +61,29 @@ namespace demold
                       const Box<dim>                  &lower,
                       dealii::Triangulation<dim, dim> &triangulation);
 
+  /// Fine cells around one point of the bottom: half width and depth [mm], 0:
+  /// as deep as wide, and the cell size there [mm]; outside cells grow by
+  /// @p growth up to far_size.
+  struct FineZone
+  {
+    double fine_width = 2;
+    double fine_depth = 0;
+    double fine_size  = 0.2;
+    double far_size   = 1;
+    double growth     = 1.2;
+  };
+
   /// Lower part of a cylinder across the x-y plane (2-D), or of a ball when
   /// read as axisymmetric. Boundary ids: bottom (curved), top (flat, at the
   /// height of the centre), left and right (upright sides, for half angles
   /// below 90), symmetry_x (for right_half).
-  struct HalfCylinder
+  struct HalfCylinder : FineZone
   {
     double           radius = 10; // [mm]
     dealii::Point<2> lowest;      // position of the lowest point [mm]
     /// Half opening angle of the curved part [degree]: 90 gives the half
     /// disc, (0, 75] a bar with a curved bottom and upright sides.
     double half_angle = 90;
-    /// Fine zone around the lowest point: half width and depth [mm], and the
-    /// cell size there [mm]; outside cells grow by @p growth up to far_size.
-    double fine_width = 2;
-    double fine_size  = 0.2;
-    double far_size   = 1;
-    double growth     = 1.2;
     /// Only x >= lowest[0].
     bool right_half = false;
   };
@@ -89,6 +95,17 @@ namespace demold
   void make_half_cylinder_on_box(const HalfCylinder          &upper,
                                  const Box<2>                &lower,
                                  dealii::Triangulation<2, 2> &triangulation);
+
+  /// A rectangle with a fine zone at its bottom; boundary ids of a box.
+  struct GradedBox : FineZone
+  {
+    dealii::Point<2>      lower_corner;    // [mm]
+    std::array<double, 2> size{{10, 10}};  // [mm]
+    double                fine_centre = 0; ///< x of the fine zone [mm]
+  };
+
+  void make_graded_box(const GradedBox             &box,
+                       dealii::Triangulation<2, 2> &triangulation);
 
   /// A rigid ground or indenter: a polyline in the x-y plane; in 3-D it is
   /// drawn in x-z and extruded along y. Walking along the polyline the metal

@@ -23,15 +23,22 @@ namespace demold
     void add_cylinder(HalfCylinder &cylinder, ParameterHandler &prm)
     {
       using Patterns::Double;
-      prm.add_parameter("radius", cylinder.radius, "R [mm]", Double(1e-9));
+      prm.add_parameter("radius",
+                        cylinder.radius,
+                        "R of a half cylinder [mm]",
+                        Double(1e-9));
       prm.add_parameter("half angle",
                         cylinder.half_angle,
                         "of the curved part [degree]",
                         Double(1., 90.));
       prm.add_parameter("fine width",
                         cylinder.fine_width,
-                        "half width and depth of the fine zone [mm]",
+                        "half width of the fine zone [mm]",
                         Double(1e-9));
+      prm.add_parameter("fine depth",
+                        cylinder.fine_depth,
+                        "of the fine zone; 0: its half width [mm]",
+                        Double(0.));
       prm.add_parameter("fine size",
                         cylinder.fine_size,
                         "element size there [mm]",
@@ -71,10 +78,15 @@ namespace demold
     prm.enter_subsection("Body");
     prm.add_parameter("shape",
                       shape,
-                      "of the rubber body",
-                      Patterns::Selection("box|half cylinder"));
+                      "of the rubber body; graded box: of fine cells in a part "
+                      "of its bottom, as a half cylinder, instead of a given "
+                      "number",
+                      Patterns::Selection("box|graded box|half cylinder"));
     body.add_parameters(prm);
     add_cylinder(cylinder, prm);
+    prm.add_parameter("fine centre",
+                      fine_centre,
+                      "x of the middle of the fine zone of a graded box [mm]");
     prm.add_parameter("slave",
                       slave,
                       "boundaries that may touch, separated by commas; empty: "
@@ -106,8 +118,14 @@ namespace demold
   {
     if (shape == "box")
       upper<dim>();
+    if (shape == "graded box")
+      graded_box();
     if (!has_base)
       return;
+    if (shape == "graded box")
+      throw ExcParameter("Base/present",
+                         "must be false for Body/shape = graded box; got true. "
+                         "Choose box.");
     lower<dim>();
     if (shape != "box" && interface != "0")
       throw ExcParameter("Base/interface",
@@ -131,6 +149,27 @@ namespace demold
     return box;
   }
 
+  GradedBox BodyEntries::graded_box() const
+  {
+    const Box<2> box = body.box<2>("Body", 0);
+    GradedBox    result;
+    static_cast<FineZone &>(result) = cylinder;
+    result.lower_corner             = box.lower_corner;
+    result.size                     = box.size;
+    result.fine_centre              = fine_centre;
+    const double left = box.lower_corner[0], right = left + box.size[0];
+    if (!(fine_centre + cylinder.fine_width > left &&
+          fine_centre - cylinder.fine_width < right))
+      throw ExcParameter("Body/fine centre",
+                         "must be less than Body/fine width = " +
+                           std::to_string(cylinder.fine_width) +
+                           " mm away from the box, x = " +
+                           std::to_string(left) + " to " +
+                           std::to_string(right) + " mm; got " +
+                           std::to_string(fine_centre) + " mm.");
+    return result;
+  }
+
   template <int dim>
   Box<dim> BodyEntries::lower() const
   {
@@ -144,19 +183,21 @@ namespace demold
   template <int dim>
   void BodyEntries::make_mesh(Triangulation<dim, dim> &triangulation) const
   {
-    if (shape == "half cylinder")
+    if (shape != "box")
       {
         if constexpr (dim == 2)
           {
-            if (has_base)
+            if (shape == "graded box")
+              make_graded_box(graded_box(), triangulation);
+            else if (has_base)
               make_half_cylinder_on_box(cylinder, lower<2>(), triangulation);
             else
               make_half_cylinder(cylinder, triangulation);
           }
         else
           throw ExcParameter("Body/shape",
-                             "half cylinder needs dimension = 2 or "
-                             "axisymmetric; got 3.");
+                             shape + " needs dimension = 2 or axisymmetric; "
+                                     "got 3.");
       }
     else if (has_base)
       make_two_boxes<dim>(upper<dim>(), lower<dim>(), triangulation);
@@ -167,8 +208,8 @@ namespace demold
   template <int dim>
   double BodyEntries::height() const
   {
-    return shape == "box" ? body.box<dim>("Body", 0).size[dim - 1] :
-                            cylinder.radius;
+    return shape != "half cylinder" ? body.box<dim>("Body", 0).size[dim - 1] :
+                                      cylinder.radius;
   }
 
   std::set<Boundary::Id> BodyEntries::slave_boundaries() const

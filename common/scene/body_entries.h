@@ -22,14 +22,16 @@ namespace dealii
 
 namespace demold
 {
-  /// A box or a half cylinder, alone or with a box below, the base.
+  /// A box, one that is fine in a part of its bottom, or a half cylinder; the
+  /// first and the last also with a box below, the base.
   struct BodyEntries
   {
-    std::string  shape = "box"; ///< | half cylinder
+    std::string  shape = "box"; ///< | graded box | half cylinder
     BoxEntries   body{"0, 0, 0", "10, 10, 10", "8, 8, 8"};
-    HalfCylinder cylinder;
-    std::string  slave    = "bottom"; ///< boundaries that may touch
-    bool         has_base = false;
+    HalfCylinder cylinder;         ///< its fine zone is also of a graded box
+    double       fine_centre = 0.; ///< of a graded box, x [mm]
+    std::string  slave       = "bottom"; ///< boundaries that may touch
+    bool         has_base    = false;
     BoxEntries   base{"-2, -4, -4", "14, 4, 4", "11, 3, 3"};
     std::string  interface    = "0"; ///< height over its plane, formula [mm]
     double       base_modulus = 0.;  ///< E [MPa]; 0: rubber of the body
@@ -59,6 +61,8 @@ namespace demold
     std::map<dealii::types::material_id, RubberLaw> laws() const;
 
   private:
+    GradedBox graded_box() const;
+
     /// Body and base as boxes that meet at the interface.
     template <int dim>
     Box<dim> upper() const;

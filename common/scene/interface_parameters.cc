@@ -65,8 +65,14 @@ namespace demold
     prm.enter_subsection("Adhesion");
     prm.add_parameter("bonded where",
                       bonded,
-                      "formula in x, y, z [mm]; bonded at the start where it "
-                      "is positive [-]");
+                      "formula in x, y, z at the start [mm]; bonds form only "
+                      "where it is positive [-]");
+    prm.add_parameter("bonds form",
+                      bonds_form,
+                      "at the start, where surfaces meet then; or on touch, "
+                      "for node to segment: after every increment where they "
+                      "are pressed together for the first time",
+                      Patterns::Selection("at the start|on touch"));
     prm.leave_subsection();
   }
 
@@ -79,6 +85,12 @@ namespace demold
                          "one of them, or node to segment.");
     if (!adhesion.active())
       return;
+    if (bonds_form != "at the start")
+      throw ExcParameter("Adhesion/bonds form",
+                         "must be at the start with Contact/formulation = "
+                         "mortar; got " +
+                           bonds_form +
+                           ". Choose at the start, or node to segment.");
     if (adhesion.unloading != "damage")
       throw ExcParameter("Adhesion/unloading",
                          "must be damage with Contact/formulation = mortar; "
@@ -129,6 +141,7 @@ namespace demold
     result.friction         = friction;
     result.friction_penalty = friction_penalty;
     result.plane            = plane;
+    result.bonds_on_touch   = bonds_form == "on touch";
     if (adhesion.active())
       result.adhesion = adhesion.law();
     const auto where =

@@ -23,6 +23,7 @@ namespace demold
     double             friction         = 0.;  ///< mu [-]
     double             friction_penalty = 50.; ///< c_T [MPa/mm]
     std::string        bonded           = "1";
+    std::string        bonds_form       = "at the start"; ///< | on touch
     AdhesionParameters adhesion;
 
     void add_parameters(dealii::ParameterHandler &prm);

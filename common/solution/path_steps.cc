@@ -28,6 +28,13 @@ namespace demold
   {
     const Points points = look();
     const bool   any = std::any_of(points.begin(), points.end(), is_critical);
+    if (is_cylindrical() && tools.path.constraint == "adaptive" &&
+        max_over_ranks(weak_form, points.size()) > 0.)
+      {
+        choose_first_constraint();
+        end_path("there is something that softens now");
+        return true;
+      }
     if (is_cylindrical() && cylindrical->length == 0.)
       {
         if (!try_load(std::min(state.dt, end_time - weak_form.time())))

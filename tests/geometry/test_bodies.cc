@@ -194,6 +194,63 @@ TEST(HalfCylinder, curved_bar_has_the_area_of_its_circular_part)
   EXPECT_NEAR(boundary_area(mesh, Boundary::right), 5, 1e-9);
 }
 
+TEST(HalfCylinder, fine_zone_may_be_shallower_than_wide)
+{
+  HalfCylinder body;
+  body.fine_width = 2;
+  body.fine_depth = 0.4;
+  body.right_half = true;
+  Triangulation<2> deep, shallow;
+  make_half_cylinder(body, shallow);
+  body.fine_depth = 0;
+  make_half_cylinder(body, deep);
+  const auto n_bottom = [](const Triangulation<2> &mesh) {
+    unsigned int n = 0;
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        n += face->at_boundary() && face->boundary_id() == Boundary::bottom &&
+             std::abs(face->center()[0]) < 2;
+    return n;
+  };
+  EXPECT_EQ(n_bottom(shallow), n_bottom(deep));
+  EXPECT_LT(shallow.n_active_cells(), deep.n_active_cells());
+}
+
+TEST(GradedBox, is_a_rectangle_that_is_fine_where_it_is_asked_to_be)
+{
+  for (const double centre : {1., 7., 13.})
+    {
+      GradedBox box;
+      box.lower_corner = {1, 2};
+      box.size         = {{12, 5}};
+      box.fine_centre  = centre;
+      box.fine_depth   = 0.4;
+      Triangulation<2> mesh;
+      make_graded_box(box, mesh);
+      EXPECT_NEAR(mesh_volume(mesh), 60, 1e-10);
+      for (const auto side : {Boundary::bottom, Boundary::top})
+        EXPECT_NEAR(boundary_area(mesh, side), 12, 1e-12);
+      for (const auto side : {Boundary::left, Boundary::right})
+        EXPECT_NEAR(boundary_area(mesh, side), 5, 1e-12);
+      EXPECT_EQ(boundary_area(mesh, Boundary::unnamed), 0);
+      double widest = 0;
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          const Point<2> c = cell->center();
+          widest           = std::max(widest, cell->extent_in_direction(0));
+          if (std::abs(c[0] - centre) < box.fine_width)
+            {
+              EXPECT_LT(cell->extent_in_direction(0), 1.01 * box.fine_size);
+            }
+          if (c[1] < 2.4)
+            {
+              EXPECT_LT(cell->extent_in_direction(1), 1.01 * box.fine_size);
+            }
+        }
+      EXPECT_GT(widest, 2 * box.fine_size);
+    }
+}
+
 TEST(RigidPlane, ground_has_its_area_and_an_upward_normal)
 {
   for (const int dim : {2, 3})
