@@ -86,6 +86,14 @@ namespace demold
     interface.check(element);
     increments.check();
     linear_solver.check();
+    if (strategy == "arc length" && interface.adhesion.active() &&
+        interface.adhesion.viscous_time > 0.)
+      throw ExcParameter("Adhesion/viscous time",
+                         "must be 0 s with Solution/strategy = arc length: no "
+                         "time passes where a path runs back, so damage would "
+                         "stand still and the path with it; got " +
+                           std::to_string(interface.adhesion.viscous_time) +
+                           " s. Choose 0, or quasi-static.");
     if (has_inertia() && !(material.density > 0.))
       throw ExcParameter("Material/density",
                          "must be positive for Solution/strategy = " +
