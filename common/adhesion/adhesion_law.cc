@@ -3,7 +3,9 @@
 #include "adhesion/adhesion_law.h"
 
 #include "adhesion/gap_path.h"
+#include "adhesion/viscous_damage.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace demold
@@ -70,7 +72,37 @@ namespace demold
                   (outer_product(normal, s.slip) + s.opening * within) +
                 dk * outer_product(s.v, grown);
     }
+
+
+
+    // What viscous damage has taken, for strength and mode factor one.
+    // @p effective_old of t_n, maybe ahead of the damage then already.
+    double taken_by_viscosity(const AdhesionLaw &law,
+                              const BondBranch  &branch,
+                              const double       effective_old,
+                              const double       kappa_old)
+    {
+      const double start = std::max(kappa_old, law.onset_gap());
+      if (!(branch.reached > start))
+        return 0.;
+      return overstress_work(law.softening,
+                             start,
+                             branch.reached,
+                             std::max(0., effective_old / start - 1.),
+                             (branch.reached - start) / law.reach);
+    }
   } // namespace
+
+
+
+  AdhesionLaw AdhesionLaw::over(const double elapsed) const
+  {
+    AdhesionLaw law = *this;
+    if (viscous_time > 0.)
+      law.reach = std::visit([](const auto &s) { return s.gap; }, softening) *
+                  elapsed / viscous_time;
+    return law;
+  }
 
 
 
@@ -82,7 +114,8 @@ namespace demold
   {
     const Split      s = split_gap(gap, normal, factors);
     const BondBranch branch =
-      find_branch(softening, unloading, s.effective, old.kappa, forced);
+      find_branch(softening, unloading, s.effective, old.kappa, reach, forced);
+    const bool viscous = std::isfinite(reach);
 
     const double scale = old.strength_factor;
     const double k     = scale * branch.stiffness;
@@ -98,8 +131,9 @@ namespace demold
     r.path_increment = scale * branch.lost;
     if (r.status == AdhesionStatus::decohesion && s.effective > 0.)
       {
-        r.dkappa_dg     = s.w / s.effective;
-        r.path_gradient = scale * branch.lost_rate * r.dkappa_dg;
+        const Tensor<1, 3> grown = s.w / s.effective;
+        r.dkappa_dg              = branch.kappa_rate * grown;
+        r.path_gradient          = scale * branch.lost_rate * grown;
         r.anchor_shift =
           (1. - branch.elastic) * (s.open * s.opening * normal + s.slip);
       }
@@ -108,13 +142,20 @@ namespace demold
     // that has no potential: there the path counts.
     const bool path_counts = !symmetric() &&
                              unloading == AdhesionUnloading::damage &&
-                             branch.consistent && branch.lost > 0.;
+                             !viscous && branch.consistent && branch.lost > 0.;
     r.dissipated_increment =
       path_counts ? scale * decohesion_work({old.gap, gap, normal, factors},
                                             softening,
                                             old.kappa,
                                             branch.lost) :
                     s.ratio * r.path_increment;
+    if (viscous)
+      r.regularisation_increment =
+        scale * s.ratio *
+        taken_by_viscosity(*this,
+                           branch,
+                           split_gap(old.gap, normal, factors).effective,
+                           old.kappa);
 
     r.state            = old;
     r.state.kappa      = branch.kappa;

@@ -8,6 +8,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <limits>
 #include <optional>
 
 namespace demold
@@ -60,6 +61,9 @@ namespace demold
     double stored = 0.;
     /// Lost in this increment per area [mJ/mm^2], for the ledger.
     double dissipated_increment = 0.;
+    /// Taken by viscous damage in this increment, beyond the above, per area
+    /// [mJ/mm^2]; never negative.
+    double regularisation_increment = 0.;
     /// D(kappa) - D(kappa_old) without mode factor [mJ/mm^2]: path parameter
     /// of dissipation control, theory D.2 (B); may be negative in forced
     /// decohesion. Equals dissipated_increment where a = b^2.
@@ -90,6 +94,12 @@ namespace demold
   /// its tension limit with slope gamma, x_a <- x_s - t_a/gamma (for a = 1;
   /// only tangentially while closed). Its loss is rho times the integral of
   /// s dg_d, exact for straight sliding or opening and never negative.
+  ///
+  /// With a viscous time damage lags behind the gap (viscous_damage.h) and
+  /// takes work beyond G_c, at steady opening 2 x + x^2 of it, x = tau_v
+  /// kappa'/delta. A law knows how long an increment is by over(); as made, it
+  /// is the one without viscosity. Damage-like unloading only. Where a != b^2
+  /// the modes of the end of the increment count for the whole of it.
   struct AdhesionLaw
   {
     Softening         softening;
@@ -99,6 +109,13 @@ namespace demold
     double            rest_pressure   = 0.; ///< p_re [MPa]
     double            rest_time       = 0.; ///< t_re [s]
     double            rest_efficiency = 0.; ///< eta_re [-], 0 = never
+    double            viscous_time    = 0.; ///< tau_v [s], 0 = no viscosity
+    /// delta dt/tau_v [mm] of the increment.
+    double reach = std::numeric_limits<double>::infinity();
+
+    /// The law over an increment in which @p elapsed [s] pass for the material:
+    /// the same without viscous time. In no time at all damage stands still.
+    AdhesionLaw over(const double elapsed) const;
 
     /// @param gap [mm] slave point minus anchor, @param normal unit, out of
     /// the mould. @param forced takes that branch whatever the gap says (to

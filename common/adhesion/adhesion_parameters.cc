@@ -115,6 +115,12 @@ namespace demold
                       "eta_re strength of the new bond over that of the one "
                       "before, 0 switches re-adhesion off [-]",
                       Double(0., 1.));
+    prm.add_parameter("viscous time",
+                      viscous_time,
+                      "tau_v regularisation: while damage grows, a bond "
+                      "carries its limit times 1 + tau_v (rate of the gap "
+                      "that damage has reached)/rupture gap; 0: none [s]",
+                      Double(0.));
     prm.leave_subsection();
   }
 
@@ -172,6 +178,12 @@ namespace demold
                          "must be at most 1; got " +
                            text(readhesion_efficiency) +
                            ". A new bond is not stronger than the first.");
+    require_at_least_zero("viscous time", viscous_time, " s");
+    if (viscous_time > 0. && unloading != "damage")
+      throw ExcParameter("Adhesion/viscous time",
+                         "must be 0 s with unloading = plastic; got " +
+                           text(viscous_time) +
+                           " s. Choose unloading = damage, or 0.");
   }
 
 
@@ -210,6 +222,7 @@ namespace demold
     law.rest_pressure   = readhesion_pressure;
     law.rest_time       = readhesion_time;
     law.rest_efficiency = readhesion_efficiency;
+    law.viscous_time    = viscous_time;
     return law;
   }
 } // namespace demold

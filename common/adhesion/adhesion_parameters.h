@@ -28,6 +28,7 @@ namespace demold
     double      readhesion_pressure   = 0.1;      ///< p_re [MPa]
     double      readhesion_time       = 1.;       ///< t_re [s]
     double      readhesion_efficiency = 0.;       ///< eta_re [-], 0 = off
+    double      viscous_time          = 0.;       ///< tau_v [s], 0 = off
 
     /// Declares the entries in subsection Adhesion and binds them to this
     /// object, which must outlive the parsing at the same address.

@@ -2,7 +2,10 @@
 // On which branch of its softening law a bond is, seen as a scalar.
 #include "adhesion/bond_branch.h"
 
+#include "adhesion/viscous_damage.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace demold
 {
@@ -47,6 +50,7 @@ namespace demold
       const double         kappa   = offset + stretch;
       const SofteningPoint at      = law.on_curve(kappa);
 
+      branch.reached   = kappa;
       branch.kappa     = std::clamp(kappa, branch.kappa, law.rupture_gap());
       branch.stiffness = at.limit / stretch;
       branch.softening = (at.slope - branch.stiffness) / (stretch * stretch);
@@ -59,11 +63,39 @@ namespace demold
 
 
 
+    // The same where damage takes time: the gap is ahead of it, so that the
+    // secant carries more than the limit. Without a dragged anchor.
+    template <typename Law>
+    void soften_slowly(const Law   &law,
+                       const double effective,
+                       const double start,
+                       const double reach,
+                       const double lost_before,
+                       BondBranch  &branch)
+    {
+      const double         stretch = std::max(effective, law.onset_gap());
+      const DamageReached  damage  = viscous_damage(start, stretch, reach);
+      const SofteningPoint at      = law.on_curve(damage.kappa);
+
+      branch.reached    = damage.kappa;
+      branch.kappa_rate = damage.rate;
+      branch.kappa = std::clamp(damage.kappa, branch.kappa, law.rupture_gap());
+      branch.stiffness = at.limit / damage.kappa;
+      branch.softening =
+        (at.slope - branch.stiffness) / damage.kappa * damage.rate / stretch;
+      branch.lost_rate = loss_rate(at, damage.kappa) * damage.rate;
+      branch.lost =
+        at.dissipated - lost_before + branch.lost_rate * (effective - stretch);
+    }
+
+
+
     template <typename Law>
     BondBranch find_branch_of(const Law                          &law,
                               const AdhesionUnloading             unloading,
                               const double                        effective,
                               const double                        kappa_old,
+                              const double                        reach,
                               const std::optional<AdhesionStatus> forced)
     {
       using Status = AdhesionStatus;
@@ -84,11 +116,15 @@ namespace demold
         plastic && !intact ? before.limit / law.penalty : at_least;
       const double offset  = plastic ? at_least - limit_gap : 0.;
       const Status elastic = intact ? Status::adhering : Status::unloading;
+      const bool   slow    = std::isfinite(reach);
+      const double reached =
+        slow ? viscous_damage(at_least, effective, reach).kappa :
+               offset + effective;
 
       Status free = Status::decohesion;
       if (effective <= limit_gap)
         free = elastic;
-      else if (offset + effective >= separation_gap_of(law))
+      else if (reached >= separation_gap_of(law))
         free = Status::separated;
       branch.status = forced.value_or(free);
       if (branch.status == Status::adhering ||
@@ -100,10 +136,21 @@ namespace demold
       switch (branch.status)
         {
           case Status::separated:
-            branch.kappa = law.rupture_gap();
-            branch.lost  = law.fracture_energy() - lost_before;
+            branch.reached = reached;
+            branch.kappa   = law.rupture_gap();
+            branch.lost    = law.fracture_energy() - lost_before;
             break;
           case Status::decohesion:
+            if (slow)
+              {
+                soften_slowly(law,
+                              effective,
+                              at_least,
+                              reach,
+                              lost_before,
+                              branch);
+                break;
+              }
             soften(law,
                    unloading,
                    effective,
@@ -141,11 +188,17 @@ namespace demold
                          const AdhesionUnloading             unloading,
                          const double                        effective,
                          const double                        kappa_old,
+                         const double                        reach,
                          const std::optional<AdhesionStatus> forced)
   {
     return std::visit(
       [&](const auto &law) {
-        return find_branch_of(law, unloading, effective, kappa_old, forced);
+        return find_branch_of(law,
+                              unloading,
+                              effective,
+                              kappa_old,
+                              reach,
+                              forced);
       },
       softening);
   }

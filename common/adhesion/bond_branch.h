@@ -42,6 +42,11 @@ namespace demold
     double lost = 0.;
     /// d(lost)/d(effective gap) [MPa]; softening branch only.
     double lost_rate = 0.;
+    /// dkappa/d(effective gap) [-]; softening branch only. Less than one if
+    /// damage takes time.
+    double kappa_rate = 1.;
+    /// kappa, not cut at rupture [mm]; only where damage grows.
+    double reached = 0.;
     /// Effective gap over the one where damage (goes on to) grow [-].
     double utilisation = 0.;
     /// False if the branch was forced against the gap.
@@ -56,10 +61,13 @@ namespace demold
   double loss_rate(const SofteningPoint &at, const double kappa);
 
   /// @param effective [mm] present effective gap, from the anchor.
+  /// @param reach [mm] of damage in the increment, see viscous_damage();
+  /// infinite if damage takes no time, and always with a dragged anchor.
   BondBranch find_branch(const Softening                    &softening,
                          const AdhesionUnloading             unloading,
                          const double                        effective,
                          const double                        kappa_old,
+                         const double                        reach,
                          const std::optional<AdhesionStatus> forced);
 } // namespace demold
 

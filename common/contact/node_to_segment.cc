@@ -20,6 +20,7 @@ namespace demold
                                const IndexSet             &owned,
                                MPI_Comm                    communicator)
     : description(description)
+    , law(description.adhesion)
     , communicator(communicator)
     , surfaces(std::move(slave), std::move(master), description, owned)
   {
@@ -114,6 +115,8 @@ namespace demold
     surfaces.move_to(state, communicator);
     if (state.iteration == 0)
       last_dt = state.elapsed;
+    if (law && law->viscous_time > 0.)
+      law = law->over(state.elapsed);
     seconds += timer.wall_time();
   }
 
@@ -223,7 +226,8 @@ namespace demold
     for (const double x : {committed_work.friction,
                            committed_work.impact,
                            committed_work.external,
-                           committed_work.stored})
+                           committed_work.stored,
+                           committed_work.regularisation})
       writer.values.push_back(x);
     write_values(out, writer.values);
   }
@@ -234,7 +238,7 @@ namespace demold
     HistoryReader             reader{values};
     committed.serialize(reader);
     reader &committed_work.friction &committed_work.impact &committed_work
-      .external &committed_work.stored;
+      .external &committed_work.stored &committed_work.regularisation;
     revert();
   }
 } // namespace demold

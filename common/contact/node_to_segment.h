@@ -16,9 +16,10 @@ namespace demold
   /// the master by the penalty c_N, rubs by the moving friction cone and is
   /// tied to its anchor by the adhesion law (theory C.2, C.3). Forces are per
   /// reference area. The friction weight omega is that of the damage at the
-  /// start of the increment. All tangents are exact in the first iterations,
-  /// before states are frozen. With a rigid master, mixing with a = b^2 and no
-  /// friction they are symmetric.
+  /// start of the increment; damage with a viscous time grows with the time
+  /// that passes for the material. All tangents are exact in the first
+  /// iterations, before states are frozen. With a rigid master, mixing with a =
+  /// b^2 and no friction they are symmetric.
   class NodeToSegment
     : public InterfaceTerm
     , public SofteningTerm
@@ -91,6 +92,7 @@ namespace demold
     void count_change(const unsigned int point, const int state);
 
     const InterfaceDescription description;
+    std::optional<AdhesionLaw> law; ///< of bonds, over the trial increment
     MPI_Comm                   communicator;
     SurfacePair                surfaces;
 

@@ -22,11 +22,11 @@ namespace demold
     const BondHistory &old = committed.bond[p];
     const Tensor<1, 3> gap = surfaces.x(p) - place.x;
     if (state.iteration == 0 && !driven.empty() && driven[p])
-      return description.adhesion->evaluate(gap,
-                                            place.normal,
-                                            old.state,
-                                            AdhesionStatus::decohesion);
-    return bond_response(*description.adhesion,
+      return law->evaluate(gap,
+                           place.normal,
+                           old.state,
+                           AdhesionStatus::decohesion);
+    return bond_response(*law,
                          gap,
                          place.normal,
                          old,
@@ -55,6 +55,7 @@ namespace demold
         bond.separation_time < 0.)
       bond.separation_time = state.time;
     now.stored += area * response.stored;
+    now.regularisation += area * response.regularisation_increment;
     increment.lost += area * response.dissipated_increment;
     if (response.dissipated_increment > 0.)
       increment.front += area;

@@ -25,7 +25,7 @@ namespace demold
       {
         const BondHistory &bond     = committed.bond[p];
         const AnchorPlace  place    = surfaces.master().place(bond.anchor);
-        SofteningSite      point    = softening_site(*description.adhesion,
+        SofteningSite      point    = softening_site(*law,
                                              surfaces.x(p) - place.x,
                                              place.normal,
                                              bond.state,

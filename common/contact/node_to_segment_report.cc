@@ -54,9 +54,10 @@ namespace demold
     e.stored = now.stored;
     for (unsigned int p = 0; p < trial.bond.size(); ++p)
       e.adhesion += surfaces.point(p).area * trial.bond[p].state.dissipated;
-    e.friction = committed_work.friction + now.friction;
-    e.impact   = committed_work.impact + now.impact;
-    e.external = committed_work.external + now.external;
+    e.friction       = committed_work.friction + now.friction;
+    e.impact         = committed_work.impact + now.impact;
+    e.external       = committed_work.external + now.external;
+    e.regularisation = committed_work.regularisation + now.regularisation;
     return e;
   }
 

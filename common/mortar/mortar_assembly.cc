@@ -186,6 +186,9 @@ namespace demold
     for (unsigned int d = 0; d < 3; ++d)
       input.old_gap[d] -= compliance[own][d] * committed[own].sprung[d];
     input.pressed = is_pressed(state, own);
+    if (state.iteration == 0 && !on_path.empty() && on_path[own])
+      input.forced = ForcedBranch::decohesion;
+    inputs[own] = input;
     return input;
   }
 

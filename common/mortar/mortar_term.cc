@@ -74,6 +74,7 @@ namespace demold
     frozen.resize(n);
     slip_rows.resize(n);
     newton_memory.resize(n);
+    inputs.resize(n);
     just_closed.assign(n, false);
     last_number.assign(n, state_free);
     found.resize(n);
@@ -204,6 +205,7 @@ namespace demold
 
   void MortarTerm::revert()
   {
+    on_path.clear();
     trial      = committed;
     increment  = Increment();
     now        = Energies();

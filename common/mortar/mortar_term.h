@@ -11,6 +11,7 @@
 #include "mortar/multiplier_history.h"
 #include "mortar/point_constraint.h"
 #include "mortar/point_gap.h"
+#include "weak_form/softening_sites.h"
 
 #include <functional>
 #include <optional>
@@ -34,7 +35,9 @@ namespace demold
   /// A point that holds a bond uses the operator frozen at bonding, on the
   /// reference configuration: lambda is a nominal traction. All others use the
   /// current segments: lambda is a Cauchy traction.
-  class MortarTerm : public InterfaceTerm
+  class MortarTerm
+    : public InterfaceTerm
+    , public SofteningTerm
   {
   public:
     /// @p is_held tells whether an unknown has a support.
@@ -75,6 +78,9 @@ namespace demold
     std::vector<PointReport> report() const override;
     InterfaceSums            sums() const override;
 
+    std::vector<SofteningSite> softening_sites() const override;
+    void                       drive(const std::vector<bool> &points) override;
+
   private:
     /// Sums of the trial increment over the points of this rank.
     struct Increment
@@ -112,6 +118,7 @@ namespace demold
     void                      bond(const unsigned int own);
     void                      bond_again();
     void                      keep_slip_rows();
+    std::vector<unsigned int> points_that_hold() const;
     unsigned int              nearest_facet(const unsigned int own) const;
 
     /// First unknown of the multiplier of a point.
@@ -207,8 +214,11 @@ namespace demold
     std::vector<NodalRow>          rows;    ///< of the last assembly
     std::vector<PointNormal>       normals; ///< of the last assembly
     std::vector<NewtonMemory>      newton_memory;
+    std::vector<ConstraintInput>   inputs; ///< of the last assembly
     std::vector<bool>              just_closed;
     std::vector<int>               last_number; ///< state of theory C.5
+
+    std::vector<bool> on_path; ///< points that a path drives; empty: none
 
     Energies     committed_work; ///< what has been done, and stored, so far
     Energies     now;            ///< in the trial increment; stored: in all

@@ -12,6 +12,30 @@ namespace demold
   {
     const Tensor<2, 3> unit = unit_symmetric_tensor<3>();
 
+    double normal_penalty(const TractionResolvent &resolvent,
+                          const ConstraintInput   &input)
+    {
+      return input.pressed == true ? 0. : resolvent.penalty;
+    }
+
+    Tensor<2, 3> compliance_tensor(const ConstraintInput &input)
+    {
+      Tensor<2, 3> E;
+      for (unsigned int d = 0; d < 3; ++d)
+        E[d][d] = input.compliance[d];
+      return E;
+    }
+
+    /// C = diag(c_N, c_T, c_T)
+    Tensor<2, 3> augmentation(const TractionResolvent &resolvent,
+                              const ConstraintInput   &input)
+    {
+      const double c_N = normal_penalty(resolvent, input);
+      const double c_T = resolvent.tangential_penalty();
+      return c_T * unit +
+             (c_N - c_T) * outer_product(input.normal, input.normal);
+    }
+
     /// dG/dlambda_hat at a fixed normal.
     Tensor<2, 3> by_traction(const ResolventResponse &law,
                              const Tensor<1, 3>      &n,
@@ -38,32 +62,43 @@ namespace demold
     }
   } // namespace
 
+  SeenByLaw seen_by_law(const TractionResolvent &resolvent,
+                        const ConstraintInput   &input,
+                        const ResolventState    &old)
+  {
+    const Tensor<1, 3> &n          = input.normal;
+    const Tensor<2, 3>  tangential = unit - outer_product(n, n);
+    SeenByLaw           seen;
+    seen.gap       = input.gap - compliance_tensor(input) * input.sprung;
+    seen.augmented = input.traction + augmentation(resolvent, input) * seen.gap;
+    seen.traction  = {seen.augmented * n,
+                      tangential * seen.augmented,
+                      input.pressed};
+    seen.old       = old;
+    seen.old.slip  = tangential * input.old_gap;
+    return seen;
+  }
+
   ConstraintResponse point_constraint(const TractionResolvent &resolvent,
                                       const ConstraintInput   &input,
                                       const ResolventState    &old,
                                       const NewtonMemory      &last)
   {
-    const Tensor<1, 3> &n      = input.normal;
-    const double        c_N    = input.pressed == true ? 0. : resolvent.penalty;
-    const double        c_T    = resolvent.tangential_penalty();
-    const Tensor<2, 3>  normal = outer_product(n, n);
-    const Tensor<2, 3>  tangential = unit - normal;
-    const Tensor<2, 3>  C          = c_T * unit + (c_N - c_T) * normal;
-    Tensor<2, 3>        E;
-    for (unsigned int d = 0; d < 3; ++d)
-      E[d][d] = input.compliance[d];
-    const Tensor<1, 3> gap       = input.gap - E * input.sprung;
-    const Tensor<1, 3> augmented = input.traction + C * gap;
-
-    ResolventState turned = old;
-    turned.slip           = tangential * input.old_gap;
+    const Tensor<1, 3> &n          = input.normal;
+    const double        c_N        = normal_penalty(resolvent, input);
+    const double        c_T        = resolvent.tangential_penalty();
+    const Tensor<2, 3>  tangential = unit - outer_product(n, n);
+    const Tensor<2, 3>  C          = augmentation(resolvent, input);
+    const Tensor<2, 3>  E          = compliance_tensor(input);
+    const SeenByLaw     seen       = seen_by_law(resolvent, input, old);
+    const Tensor<1, 3> &gap        = seen.gap;
+    const Tensor<1, 3> &augmented  = seen.augmented;
 
     ConstraintResponse response;
     response.law =
-      evaluate_by_rules(resolvent,
-                        {augmented * n, tangential * augmented, input.pressed},
-                        turned,
-                        last);
+      input.forced ?
+        resolvent.evaluate(seen.traction, seen.old, input.forced) :
+        evaluate_by_rules(resolvent, seen.traction, seen.old, last);
     const Tensor<2, 3> dG = by_traction(response.law, n, tangential);
     response.residual     = gap - response.law.gap_N * n - response.law.gap_T;
     response.dgap         = unit - dG * C;

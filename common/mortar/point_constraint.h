@@ -35,7 +35,23 @@ namespace demold
     dealii::Tensor<1, 3> compliance;
     /// [MPa] lambda, or its difference from others that do not depend on it.
     dealii::Tensor<1, 3> sprung;
+
+    /// Branch that a path asks for; it comes before the rules of Newton.
+    std::optional<ForcedBranch> forced;
   };
+
+  /// What of it the law sees.
+  struct SeenByLaw
+  {
+    dealii::Tensor<1, 3> gap;       ///< [mm] without what is sprung
+    dealii::Tensor<1, 3> augmented; ///< lambda_hat [MPa]
+    AugmentedTraction    traction;  ///< the same by parts
+    ResolventState       old;       ///< its slip in the present plane
+  };
+
+  SeenByLaw seen_by_law(const TractionResolvent &resolvent,
+                        const ConstraintInput   &input,
+                        const ResolventState    &old);
 
   /// Residual r = g - compliance sprung - G(lambda_hat) [mm] (theory C9) and
   /// its derivatives; vectors are Cartesian.

@@ -98,6 +98,8 @@ namespace demold
   bool BondLinks::assemble(const Configuration &now, Assembler &assembler)
   {
     state_changes = 0;
+    if (law.viscous_time > 0.)
+      law = law.over(now.elapsed);
     for (std::size_t p = 0; p < links.size(); ++p)
       {
         const auto indices = indices_of(links[p]);
@@ -111,6 +113,8 @@ namespace demold
         point.trial.status = r.status;
         point.trial.state  = r.state;
         point.stored       = links[p].area * r.stored;
+        point.taken =
+          point.accepted_taken + links[p].area * r.regularisation_increment;
 
         dealii::Vector<double> R(4);
         FullMatrix<double>     K(4, 4);
@@ -154,6 +158,7 @@ namespace demold
       {
         e.stored += points[p].stored;
         e.adhesion += links[p].area * points[p].trial.state.dissipated;
+        e.regularisation += points[p].taken;
       }
     return e;
   }
@@ -164,6 +169,7 @@ namespace demold
       {
         point.committed       = point.trial;
         point.accepted_stored = point.stored;
+        point.accepted_taken  = point.taken;
         point.driven          = false;
       }
   }
@@ -174,6 +180,7 @@ namespace demold
       {
         point.trial  = point.committed;
         point.stored = point.accepted_stored;
+        point.taken  = point.accepted_taken;
         point.driven = false;
       }
   }
@@ -197,6 +204,7 @@ namespace demold
                                s.gap[1],
                                s.gap[2],
                                point.accepted_stored,
+                               point.accepted_taken,
                                static_cast<double>(point.committed.status)})
           values.push_back(x);
       }
@@ -217,7 +225,8 @@ namespace demold
                           &s.gap[0],
                           &s.gap[1],
                           &s.gap[2],
-                          &point.accepted_stored})
+                          &point.accepted_stored,
+                          &point.accepted_taken})
           *x = values.at(next++);
         const auto status      = static_cast<int>(values.at(next++));
         point.committed.status = static_cast<AdhesionStatus>(status);

@@ -59,14 +59,15 @@ namespace demold
       dealii::Tensor<1, 3> gap; ///< [mm] of the last assembly
       AdhesionStatus       last   = AdhesionStatus::adhering; ///< assembly
       double               stored = 0., accepted_stored = 0.; ///< [mJ]
-      bool                 driven = false;
+      double taken = 0., accepted_taken = 0.; ///< [mJ] by viscous damage
+      bool   driven = false;
     };
 
     bool             holds(const Point &point) const;
     AdhesionResponse respond(const Point       &point,
                              const unsigned int iteration) const;
 
-    const AdhesionLaw           law;
+    AdhesionLaw                 law; ///< over the trial increment
     const std::vector<BondLink> links;
     std::vector<Point>          points;
     unsigned int                state_changes = 0;

@@ -97,6 +97,12 @@ namespace demold
                          "got " +
                            adhesion.unloading +
                            ". Choose damage, or node to segment.");
+    if (adhesion.viscous_time > 0.)
+      throw ExcParameter("Adhesion/viscous time",
+                         "must be 0 s with Contact/formulation = mortar, whose "
+                         "bonds know no viscosity; got " +
+                           std::to_string(adhesion.viscous_time) +
+                           " s. Choose 0, or node to segment.");
     const double least = adhesion.strength / adhesion.rupture_gap;
     if (augmentation > 0. && augmentation <= least)
       throw ExcParameter("Contact/augmentation",

@@ -195,6 +195,7 @@ namespace demold
     summary.set("friction dissipation [mJ]", e.friction);
     summary.set("viscous dissipation [mJ]", e.viscous);
     summary.set("impact dissipation [mJ]", e.impact);
+    summary.set("regularisation dissipation [mJ]", e.regularisation);
     summary.set("algorithmic dissipation [mJ]", e.algorithmic);
     summary.set("stored energy [mJ]", e.stored);
     summary.set("kinetic energy [mJ]", e.kinetic);

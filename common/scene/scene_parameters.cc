@@ -89,6 +89,19 @@ namespace demold
     increments.check();
     linear_solver.check();
     check_inertia();
+    check_regularisation();
+  }
+
+  void SceneParameters::check_regularisation() const
+  {
+    if (strategy == "arc length" && interface.adhesion.active() &&
+        interface.adhesion.viscous_time > 0.)
+      throw ExcParameter("Adhesion/viscous time",
+                         "must be 0 s with Solution/strategy = arc length: no "
+                         "time passes where a path runs back, so damage would "
+                         "stand still and the path with it; got " +
+                           std::to_string(interface.adhesion.viscous_time) +
+                           " s. Choose 0, or quasi-static.");
   }
 
   void SceneParameters::check_inertia() const

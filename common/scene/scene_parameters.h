@@ -78,6 +78,7 @@ namespace demold
     void add_solution(dealii::ParameterHandler &prm);
     void check_cure() const;
     void check_inertia() const;
+    void check_regularisation() const;
   };
 } // namespace demold
 
