@@ -6,6 +6,7 @@
 #include "network/elastic_link.h"
 #include "weak_form/assembler.h"
 #include "weak_form/term.h"
+#include "weak_form/vector_io.h"
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -79,6 +80,18 @@ namespace demold
     void commit() override
     {
       accepted_stored = stored;
+    }
+
+    /// Who opens the ledger after a restart asks before any assembly.
+    void save(std::ostream &out) const override
+    {
+      write_values(out, {accepted_stored});
+    }
+
+    void load(std::istream &in) override
+    {
+      accepted_stored = read_values(in).at(0);
+      revert();
     }
 
     void revert() override
