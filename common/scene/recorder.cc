@@ -17,6 +17,9 @@ namespace demold
     /// A quasi-static increment that loses more than this share of the largest
     /// ledger entry while bonds break or nodes leave the mould has jumped.
     constexpr double jump_share = 2e-3;
+
+    /// The same for excursions of a path, whose energy is known.
+    constexpr double smallest_jump = 1e-6;
   } // namespace
 
   Recorder::Recorder(const RunContext &context,
@@ -48,7 +51,8 @@ namespace demold
       for (const char *name : {"point",
                                "constraint",
                                "negative pivots",
-                               "sign of the determinant"})
+                               "sign of the determinant",
+                               "smallest eigenvalue [N/mm]"})
         names.emplace_back(name);
     return names;
   }
@@ -87,7 +91,10 @@ namespace demold
 
   void Recorder::count_excursion(const Observation &now)
   {
-    if (!now.path || now.path->kind != "jump")
+    // An excursion that comes back the way it went is none.
+    if (!now.path || now.path->kind != "jump" ||
+        std::abs(now.path->released) + now.path->damped <=
+          smallest_jump * largest_entry)
       return;
     released += now.path->released + now.path->damped;
     damped += now.path->damped;
@@ -125,6 +132,7 @@ namespace demold
         row.emplace_back(point.constraint);
         row.emplace_back(static_cast<double>(point.stability.negative_pivots));
         row.emplace_back(static_cast<double>(point.stability.determinant_sign));
+        row.emplace_back(point.stability.smallest_eigenvalue);
       }
     return row;
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace demold
 {
@@ -76,7 +77,9 @@ namespace demold
     if (tools.path.monitor)
       point.stability = read_stability(weak_form,
                                        tools.linear_solver,
-                                       PathCorrector::stage(report.iterations));
+                                       PathCorrector::stage(report.iterations),
+                                       tools.path.eigenvalue);
+    report_stability(point.stability);
     const double start = weak_form.time();
     weak_form.accept();
     tools.newton.accept(report);
@@ -92,6 +95,29 @@ namespace demold
                          strategy,
                          result.rejected,
                          point});
+  }
+
+  /// Limit points and bifurcations lie where the number of negative pivots
+  /// changes (theory D.3).
+  void PathFollower::report_stability(const StabilityReading &reading)
+  {
+    const int now = reading.negative_pivots, before = negative_pivots;
+    negative_pivots = now;
+    if (now < 0 || before < 0 || now == before)
+      return;
+    char text[160];
+    std::snprintf(text,
+                  sizeof(text),
+                  "time %.6g s: %d negative pivots after %d, %s",
+                  weak_form.trial_time(),
+                  now,
+                  before,
+                  now == 0                ? "stable again" :
+                  now == 1 && before == 0 ? "beyond a limit point" :
+                  now > before            ? "beyond a bifurcation" :
+                                            "closer to a stable branch");
+    result.events.emplace_back(text);
+    tools.note(text);
   }
 
   bool PathFollower::try_load(const double dt)

@@ -28,5 +28,10 @@ namespace demold
                       monitor,
                       "of an arc length: factorise the tangent at every point "
                       "of the path and count its negative pivots");
+    prm.add_parameter("smallest eigenvalue",
+                      eigenvalue,
+                      "of the stability monitor: also the eigenvalue of the "
+                      "tangent nearest to zero [N/mm], some ten solutions "
+                      "each");
   }
 } // namespace demold

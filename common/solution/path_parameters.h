@@ -23,6 +23,8 @@ namespace demold
 
     bool monitor = false; ///< read the signs of the pivots at every point?
 
+    bool eigenvalue = false; ///< and the smallest eigenvalue?
+
     void add_parameters(dealii::ParameterHandler &prm);
   };
 } // namespace demold

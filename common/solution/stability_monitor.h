@@ -17,14 +17,20 @@ namespace demold
 
     /// Sign of the determinant; 0 where it is singular.
     int determinant_sign = 0;
+
+    /// [N/mm] of the free unknowns, the one nearest to zero, by inverse
+    /// iteration; 0 where it was not asked for or not found.
+    double smallest_eigenvalue = 0.;
   };
 
   /// Factorises the tangent at the trial, whose residual was the last to be
   /// assembled in iteration @p iteration. Costs an assembly and a factor, so
-  /// that it is only called where somebody asks.
+  /// that it is only called where somebody asks; some ten solutions more with
+  /// @p eigenvalue, which saddle points do not have.
   StabilityReading read_stability(WeakForm          &weak_form,
                                   LinearSolver      &linear_solver,
-                                  const unsigned int iteration);
+                                  const unsigned int iteration,
+                                  const bool         eigenvalue);
 } // namespace demold
 
 #endif

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # The pictures of ../results.md.
 #
-# Usage: figures.sh BUILD-FOLDER [FOLDER]; default: beside this file. 1 minute.
+# Usage: figures.sh BUILD-FOLDER [FOLDER]; default: beside this file. 5 minutes.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -36,6 +36,45 @@ for strategy in quasi-static dynamics automatic; do
     --set "Solution/strategy=$strategy"
 done
 
+# Through the same jump by all strategies, and a tread block likewise.
+column="--set Material/density=1.1e-9 --set Pull/velocity=0.5"
+run column-path step-arclength step-arclength/column.prm
+for strategy in dynamics automatic; do
+  # shellcheck disable=SC2086
+  run column-$strategy step-arclength step-arclength/column.prm $column \
+    --set "Solution/strategy=$strategy" --set "Solution/accuracy=0.1"
+done
+run column-explicit step-arclength step-arclength/column-explicit.prm \
+  --set "Pull/opening=0.25"
+for strategy in "arc length" dynamics automatic "explicit dynamics"; do
+  run "tread-$strategy" step-arclength step-arclength/tread-slice.prm \
+    --set "Solution/strategy=$strategy" --set "Solution/mass scaling=10"
+done
+
+# Thesis 7.2: vary NAME ENTRY VALUES..., the others as in step-demold/slice.prm
+vary()
+{
+  name=$1 entry=$2
+  shift 2
+  for value in "$@"; do
+    run "$name-$value" step-arclength step-arclength/tread-slice.prm \
+      --set "Adhesion/strength=0.1" --set "Adhesion/rupture gap=0.2" \
+      --set "Adhesion/penalty=40" --set "Solution/strategy=automatic" \
+      --set "Adhesion/$entry=$value"
+  done
+}
+vary alpha strength 0.05 0.1 0.2 0.4
+vary delta "rupture gap" 0.05 0.1 0.2 0.4
+vary gamma penalty 5 20 100 500
+vary beta "tangential coupling" 0.25 0.5 1
+# At equal G_c of 0.01 mJ/mm^2.
+for pair in "0.05 0.4" "0.1 0.2" "0.2 0.1" "0.4 0.05"; do
+  alpha=${pair% *} delta=${pair#* }
+  run equal-$alpha step-arclength step-arclength/tread-slice.prm \
+    --set "Adhesion/strength=$alpha" --set "Adhesion/rupture gap=$delta" \
+    --set "Adhesion/penalty=160" --set "Solution/strategy=automatic"
+done
+
 gnuplot << END
 set datafile separator ","
 set key autotitle columnhead
@@ -55,4 +94,35 @@ plot "$runs/truss/history.csv" using "opening [mm]":"force [N]" notitle
 set output "$plots/slice-steep-force.svg"
 plot [0:.3] for [s in "dynamics automatic quasi-static"] \
   "$runs/slice-".s."/history.csv" using "opening [mm]":"force [N]" title s
+
+set output "$plots/column-strategies.svg"
+set key top left
+plot [0:.25] [-.15:.45] \
+  "$runs/column-path/history.csv" using 2:3 title "arc length" lw 2, \
+  for [s in "dynamics explicit automatic"] "$runs/column-".s."/history.csv" \
+  using 2:3 title s
+
+set output "$plots/tread-strategies.svg"
+set key top right
+plot [0:.35] [-10:130] \
+  "$runs/tread-arc length/history.csv" using 2:3 title "arc length", \
+  for [s in "dynamics automatic"] "$runs/tread-".s."/history.csv" \
+  using 2:3 title s, \
+  "$runs/tread-explicit dynamics/history.csv" using 2:3 title "explicit"
+
+set output "$plots/variation-alpha.svg"
+plot [0:.6] for [v in "0.4 0.2 0.1 0.05"] "$runs/alpha-".v."/history.csv" \
+  using 2:3 title "alpha = ".v." MPa"
+set output "$plots/variation-delta.svg"
+plot [0:.6] for [v in "0.4 0.2 0.1 0.05"] "$runs/delta-".v."/history.csv" \
+  using 2:3 title "delta = ".v." mm"
+set output "$plots/variation-equal-work.svg"
+plot [0:.6] for [v in "0.4 0.2 0.1 0.05"] "$runs/equal-".v."/history.csv" \
+  using 2:3 title "alpha = ".v." MPa"
+set output "$plots/variation-gamma.svg"
+plot [0:.6] for [v in "5 20 100 500"] "$runs/gamma-".v."/history.csv" \
+  using 2:3 title "gamma = ".v." MPa/mm"
+set output "$plots/variation-beta.svg"
+plot [0:.6] for [v in "1 0.5 0.25"] "$runs/beta-".v."/history.csv" \
+  using 2:3 title "beta_T = ".v
 END

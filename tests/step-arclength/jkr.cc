@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// jkr.prm, jkr-load.prm: a sphere is pulled off (Johnson, Kendall and Roberts
+// jkr.prm: a sphere is pulled off (Johnson, Kendall and Roberts
 // 1971; theory E.7), and which strategy comes how far.
 #include "step-arclength/circular_front.h"
 

@@ -20,6 +20,7 @@ namespace demold
   {
     double u, F, clock, adhesion, bonded;
     int    negative_pivots;
+    double eigenvalue; ///< [N/mm]
   };
 
   inline std::vector<PathRow> path_rows(const SceneRun &run)
@@ -32,7 +33,8 @@ namespace demold
                       h["time [s]"][i],
                       h["adhesion dissipation [mJ]"][i],
                       h["bonded area [mm^2]"][i],
-                      static_cast<int>(h["negative pivots"][i])});
+                      static_cast<int>(h["negative pivots"][i]),
+                      h["smallest eigenvalue [N/mm]"][i]});
     return rows;
   }
 

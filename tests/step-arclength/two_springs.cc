@@ -16,6 +16,16 @@ namespace demold
       return -strength / (rupture_gap - strength / penalty);
     }
 
+    /// Eigenvalue [N/mm] nearest to zero where both bonds have the slope k_t:
+    /// the antisymmetric mode, and two of the symmetric one.
+    double smallest_eigenvalue(const double k_t)
+    {
+      const double half = .5 * (k_t + 3. * k_s + k_m);
+      const double det  = (k_t + k_s) * (2. * k_s + k_m) - 2. * k_s * k_s;
+      const double low  = half - std::sqrt(half * half - det);
+      return std::abs(low) < std::abs(k_t + k_s) ? low : k_t + k_s;
+    }
+
     /// Negative pivots while both bonds soften, -1 if the rows disagree.
     int pivots_while_softening(const double rupture_gap)
     {
@@ -55,5 +65,34 @@ namespace demold
       }
     const double critical = -k_s * k_m / (2. * k_s + k_m);
     EXPECT_NEAR(slope(.5 * (unstable + stable)), critical, 1e-4);
+  }
+
+  TEST(TwoSprings, monitor_finds_the_smallest_eigenvalue)
+  {
+    for (const double rupture_gap : {.41, .21, .1})
+      {
+        const SceneRun run =
+          run_arclength("two-springs.prm",
+                        {"Adhesion/rupture gap=" + std::to_string(rupture_gap),
+                         "Solution/smallest eigenvalue=true"});
+        const double expected = smallest_eigenvalue(slope(rupture_gap));
+        unsigned int n        = 0;
+        for (const PathRow &row : path_rows(run))
+          if (row.adhesion > 0. && row.bonded == 2.)
+            {
+              EXPECT_NEAR(row.eigenvalue, expected, 1e-4) << rupture_gap;
+              ++n;
+            }
+        EXPECT_GT(n, 2u);
+      }
+  }
+
+  TEST(TwoSprings, limit_point_is_reported)
+  {
+    const std::string events =
+      run_arclength("two-springs.prm").summary.at("events");
+    EXPECT_NE(events.find("1 negative pivots after 0, beyond a limit point"),
+              std::string::npos)
+      << events;
   }
 } // namespace demold
