@@ -54,13 +54,13 @@ run tread-explicit step-arclength step-arclength/tread-slice.prm \
   --set "Solution/strategy=explicit dynamics" \
   --set "Solution/largest increment=2e-5" --set "Pull/opening=0.5"
 
-# Thesis 7.2: vary NAME ENTRY VALUES..., the others as in step-demold/slice.prm
+# Thesis 7.2: vary SYMBOL ENTRY VALUES..., others as in step-demold/slice.prm
 vary()
 {
-  name=$1 entry=$2
+  symbol=$1 entry=$2
   shift 2
   for value in "$@"; do
-    run "$name-$value" step-arclength step-arclength/tread-slice.prm \
+    run "$symbol-$value" step-arclength step-arclength/tread-slice.prm \
       --set "Adhesion/strength=0.1" --set "Adhesion/rupture gap=0.2" \
       --set "Adhesion/penalty=40" --set "Solution/strategy=automatic" \
       --set "Adhesion/$entry=$value"
