@@ -97,4 +97,24 @@ namespace demold
                               "Adhesion/penalty=1000"}),
                    energy_of_the_bond(1., .02));
   }
+
+  // A coarse mesh, a bond a thousand times as steep: between some nodes there
+  // is no piece of a path to be found.
+  TEST(TreadSlice, slides_where_the_path_cannot_be_followed)
+  {
+    const SceneRun run = run_slice({"Adhesion/strength=3.16228",
+                                    "Adhesion/rupture gap=0.00632456",
+                                    "Adhesion/penalty=10000",
+                                    "Block/element size=2.5",
+                                    "Block/wall element size=2.5"});
+    expect_release(run, energy_of_the_bond(3.16228, .00632456));
+    const double damped = run.number("regularisation dissipation [mJ]");
+    EXPECT_GT(damped, 0.);
+    EXPECT_GT(run.number("released energy [mJ]"), damped);
+    const auto &taken = run.history["regularisation dissipation [mJ]"];
+    for (std::size_t i = 1; i < taken.size(); ++i)
+      EXPECT_GE(taken[i], taken[i - 1] * (1. - 1e-9)) << i;
+    const std::string events = run.summary.at("events");
+    EXPECT_NE(events.find("a slide has led past"), std::string::npos);
+  }
 } // namespace demold
