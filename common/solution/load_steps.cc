@@ -74,7 +74,7 @@ namespace demold
     point.damped     = damped;
     if (damped > 0.)
       point.kind = "jump";
-    if (tools.path.monitor)
+    if (tools.path.monitor || tools.path.eigenvalue)
       point.stability = read_stability(weak_form,
                                        tools.linear_solver,
                                        PathCorrector::stage(report.iterations),
@@ -134,7 +134,9 @@ namespace demold
                        dt <= jump_resolution * increments.largest;
     if (!report.converged || releases_too_much(1.) || (open && !jumps))
       {
-        reject(report, "a load step releases more energy than it may");
+        reject(report,
+               open ? "a load step loses more energy than the ledger explains" :
+                      "a load step releases more energy than it may");
         last_load = 0.;
         return false;
       }

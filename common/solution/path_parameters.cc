@@ -30,8 +30,8 @@ namespace demold
                       "of the path and count its negative pivots");
     prm.add_parameter("smallest eigenvalue",
                       eigenvalue,
-                      "of the stability monitor: also the eigenvalue of the "
-                      "tangent nearest to zero [N/mm], some ten solutions "
-                      "each");
+                      "of an arc length: stability monitor, and the eigenvalue "
+                      "of the tangent nearest to zero [N/mm], some ten "
+                      "solutions each; not with mortar");
   }
 } // namespace demold
