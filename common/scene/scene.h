@@ -32,6 +32,9 @@ namespace demold
     std::optional<dealii::types::boundary_id> boundary;
     unsigned int                              component;
 
+    /// Of a reference position X; none: everywhere on the boundary.
+    std::function<bool(const dealii::Point<3> &X)> where;
+
     /// [mm] at reference position X and time t [s].
     std::function<double(double t, const dealii::Point<3> &X)> value =
       [](double, const dealii::Point<3> &) { return 0.; };

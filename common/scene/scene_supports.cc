@@ -2,6 +2,7 @@
 // From support rules to prescribed unknowns and their reactions.
 #include "scene/scene_supports.h"
 
+#include "base/parameter_error.h"
 #include "base/plane_model.h"
 
 #include <deal.II/base/mpi.h>
@@ -81,32 +82,43 @@ namespace demold
       dof_handler.get_fe().n_dofs_per_cell());
     const auto &fe = dof_handler.get_fe();
     for (unsigned int r = 0; r < rules.size(); ++r)
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        {
-          const auto add = [&](const auto &concerned) {
-            cell->get_dof_indices(indices);
-            for (unsigned int i = 0; i < indices.size(); ++i)
-              if (fe.system_to_component_index(i).first == rules[r].component &&
-                  concerned(i))
-                entries.insert(
-                  {indices[i],
-                   {indices[i],
-                    r,
-                    in_space(
+      {
+        const SupportRule &rule  = rules[r];
+        bool               found = false;
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          {
+            const auto add = [&](const auto &concerned) {
+              cell->get_dof_indices(indices);
+              for (unsigned int i = 0; i < indices.size(); ++i)
+                if (fe.system_to_component_index(i).first == rule.component &&
+                    concerned(i))
+                  {
+                    const Point<3> X = in_space(
                       StaticMappingQ1<dim>::mapping.transform_unit_to_real_cell(
                         cell,
-                        fe.unit_support_point(i)))}});
-          };
-          if (!rules[r].boundary)
-            add([](unsigned int) { return true; });
-          else
-            for (const unsigned int f : cell->face_indices())
-              if (cell->face(f)->at_boundary() &&
-                  cell->face(f)->boundary_id() == *rules[r].boundary)
-                add([&](const unsigned int i) {
-                  return fe.has_support_on_face(i, f);
-                });
-        }
+                        fe.unit_support_point(i)));
+                    if (rule.where && !rule.where(X))
+                      continue;
+                    found = true;
+                    entries.insert({indices[i], {indices[i], r, X}});
+                  }
+            };
+            if (!rule.boundary)
+              add([](unsigned int) { return true; });
+            else
+              for (const unsigned int f : cell->face_indices())
+                if (cell->face(f)->at_boundary() &&
+                    cell->face(f)->boundary_id() == *rule.boundary)
+                  add([&](const unsigned int i) {
+                    return fe.has_support_on_face(i, f);
+                  });
+          }
+        if (rule.where && !found)
+          throw ExcParameter("Supports/driven where",
+                             "must be positive at one node of what is driven "
+                             "at least; got none. Compare it with the size of "
+                             "the body and of its elements.");
+      }
     std::vector<SceneSupports::Entry> list;
     for (const auto &entry : entries)
       list.push_back(entry.second);

@@ -83,6 +83,12 @@ namespace demold
     prm.add_parameter("driven",
                       driven,
                       "boundary and components that follow the motion");
+    prm.add_parameter(
+      "driven where",
+      driven_where,
+      "formula in x, y, z at the start [mm]; driven are only "
+      "nodes where it is positive: a small part of an edge lets "
+      "it turn, all of it does not [-]");
     for (const int d : {0, 1, 2})
       prm.add_parameter(std::string("motion ") + "xyz"[d],
                         motion[d],
@@ -102,8 +108,14 @@ namespace demold
   std::vector<SupportRule> SupportEntries::supports() const
   {
     std::vector<SupportRule> rules = rules_of(driven, "Supports/driven", dim);
+    const auto               where =
+      std::make_shared<Expression>(driven_where, "Supports/driven where");
     for (SupportRule &rule : rules)
       {
+        if (!where->is_number() || (*where)(0.) <= 0.)
+          rule.where = [where](const Point<3> &X) {
+            return (*where)(0., X) > 0.;
+          };
         const unsigned int d = rule.component;
         const auto         formula =
           std::make_shared<Expression>(motion[d],

@@ -22,6 +22,7 @@ namespace demold
     /// auto holds the top, unless something is driven.
     std::string                held = "auto";
     std::string                driven;
+    std::string                driven_where = "1";
     std::array<std::string, 3> motion{{"0", "0", "0"}}; ///< formulas [mm]
     std::string                traction_boundary;       ///< empty: none
     std::string                traction = "0, 0, 0";    ///< formulas [MPa]

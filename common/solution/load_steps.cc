@@ -74,11 +74,12 @@ namespace demold
     point.damped     = damped;
     if (damped > 0.)
       point.kind = "jump";
-    if (tools.path.monitor || tools.path.eigenvalue)
+    const bool wants_mode = tools.path.eigenvalue || tools.path.branch;
+    if (tools.path.monitor || wants_mode)
       point.stability = read_stability(weak_form,
                                        tools.linear_solver,
                                        PathCorrector::stage(report.iterations),
-                                       tools.path.eigenvalue);
+                                       wants_mode ? &mode : nullptr);
     report_stability(point.stability);
     const double start = weak_form.time();
     weak_form.accept();

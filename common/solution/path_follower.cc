@@ -66,6 +66,7 @@ namespace demold
     , newton(few(tools.newton_parameters), tools.linear_solver)
     , corrector(few(tools.newton_parameters), tools.linear_solver, tools.newton)
     , size(tools.path.release)
+    , mode(weak_form.new_vector())
     , books(weak_form)
   {
     result.rejected          = state.rejected;

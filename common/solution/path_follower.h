@@ -54,6 +54,9 @@ namespace demold
     bool jump();
     void adapt_path_step(const NewtonReport &report, const double dt);
 
+    // Where paths cross (path_branch.cc).
+    bool try_branch(const Points &points);
+
     // Where neither goes on (path_slide.cc).
     bool slide_down();
 
@@ -86,14 +89,15 @@ namespace demold
     Excursion                       excursion;
     StrategyResult                  result;
 
-    bool         goes_on         = true;
-    bool         on_path         = false;
-    double       size            = 0.;  ///< of path steps, of a full one
-    unsigned int path_steps      = 0;   ///< since the last try of a load step
-    double       nudged          = -1.; ///< [s] clock of the last step back
-    double       last_load       = 0.;  ///< [s] to extrapolate from, 0: nothing
-    double       whole           = 0.;  ///< [mJ] of the largest point
-    int          negative_pivots = -1;  ///< at the last point, -1: unknown
+    bool         goes_on    = true;
+    bool         on_path    = false;
+    double       size       = 0.;      ///< of path steps, of a full one
+    unsigned int path_steps = 0;       ///< since the last try of a load step
+    double       nudged     = -1.;     ///< [s] clock of the last step back
+    double       last_load  = 0.;      ///< [s] to extrapolate from, 0: nothing
+    double       whole      = 0.;      ///< [mJ] of the largest point
+    Vector       mode;                 ///< eigenvector of the last reading
+    int          negative_pivots = -1; ///< at the last point, -1: unknown
     Books        books;
     std::string  last_problem;
   };

@@ -33,5 +33,10 @@ namespace demold
                       "of an arc length: stability monitor, and the eigenvalue "
                       "of the tangent nearest to zero [N/mm], some ten "
                       "solutions each; not with mortar");
+    prm.add_parameter("branch at bifurcations",
+                      branch,
+                      "of an arc length: smallest eigenvalue, and where more "
+                      "than one is negative only those points go on softening "
+                      "that its eigenvector opens");
   }
 } // namespace demold

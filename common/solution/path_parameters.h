@@ -25,6 +25,8 @@ namespace demold
 
     bool eigenvalue = false; ///< and the smallest eigenvalue?
 
+    bool branch = false; ///< leave the path at bifurcations?
+
     void add_parameters(dealii::ParameterHandler &prm);
   };
 } // namespace demold

@@ -62,8 +62,8 @@ namespace demold
           }
         look();
       }
-    return try_path(is_critical, false) || try_single_points(points) ||
-           shorten_path_step();
+    return try_branch(points) || try_path(is_critical, false) ||
+           try_single_points(points) || shorten_path_step();
   }
 
   bool PathFollower::try_path(const Chosen &chosen, const bool may_pass)

@@ -19,7 +19,8 @@ namespace demold
     /// Inverse iteration with the factor at hand. The start has no symmetry
     /// that an eigenvector could miss.
     double find_smallest_eigenvalue(const WeakForm &weak_form,
-                                    LinearSolver   &linear_solver)
+                                    LinearSolver   &linear_solver,
+                                    Vector         &mode)
     {
       Vector x(weak_form.new_vector());
       for (const auto i : x.locally_owned_elements())
@@ -36,7 +37,10 @@ namespace demold
             return 0.;
           const double value = 1. / (x * y);
           if (std::abs(value - last) <= eigenvalue_tolerance * std::abs(value))
-            return value;
+            {
+              mode = x;
+              return value;
+            }
           last = value;
           x    = y;
           weak_form.set_supports_to_zero(x);
@@ -48,7 +52,7 @@ namespace demold
   StabilityReading read_stability(WeakForm          &weak_form,
                                   LinearSolver      &linear_solver,
                                   const unsigned int iteration,
-                                  const bool         eigenvalue)
+                                  Vector            *mode)
   {
     weak_form.assemble(true, iteration);
     // Any right-hand side will do: only the factor counts.
@@ -62,10 +66,10 @@ namespace demold
                                              weak_form.symmetric(),
                                              weak_form.has_extra_unknowns());
     StabilityReading reading;
-    if (eigenvalue && outcome == LinearSolver::Outcome::solved &&
+    if (mode != nullptr && outcome == LinearSolver::Outcome::solved &&
         !weak_form.has_extra_unknowns())
       reading.smallest_eigenvalue =
-        find_smallest_eigenvalue(weak_form, linear_solver);
+        find_smallest_eigenvalue(weak_form, linear_solver, *mode);
     reading.negative_pivots  = linear_solver.n_negative_pivots();
     reading.determinant_sign = linear_solver.determinant_sign();
     return reading;

@@ -3,6 +3,8 @@
 #ifndef demold_solution_stability_monitor_h
 #define demold_solution_stability_monitor_h
 
+#include "weak_form/algebra.h"
+
 namespace demold
 {
   class LinearSolver;
@@ -26,11 +28,13 @@ namespace demold
   /// Factorises the tangent at the trial, whose residual was the last to be
   /// assembled in iteration @p iteration. Costs an assembly and a factor, so
   /// that it is only called where somebody asks; some ten solutions more with
-  /// @p eigenvalue, which saddle points do not have.
+  /// @p mode, which becomes the eigenvector of the smallest eigenvalue, its
+  /// norm 1, and stays as it is where that is not found: saddle points have
+  /// none.
   StabilityReading read_stability(WeakForm          &weak_form,
                                   LinearSolver      &linear_solver,
                                   const unsigned int iteration,
-                                  const bool         eigenvalue);
+                                  Vector            *mode);
 } // namespace demold
 
 #endif

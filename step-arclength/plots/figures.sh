@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # The pictures of ../results.md.
 #
-# Usage: figures.sh BUILD-FOLDER [FOLDER]; default: beside this file. 6 minutes.
+# Usage: figures.sh BUILD-FOLDER [FOLDER]; default: beside this file. 10 minutes.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -77,6 +77,23 @@ for pair in "0.05 0.4" "0.1 0.2" "0.2 0.1" "0.4 0.05"; do
     --set "Adhesion/strength=$alpha" --set "Adhesion/rupture gap=$delta" \
     --set "Adhesion/penalty=160" --set "Solution/strategy=automatic"
 done
+# The beam at equal G_c of 0.05 mJ/mm^2: from a cohesive zone far longer than an
+# arm is high to one far shorter.
+for pair in "0.3 0.166667" "0.6 0.0833333" "1.2 0.0416667" "2.5 0.02" "5 0.01"
+do
+  alpha=${pair% *} delta=${pair#* }
+  run beam-$alpha step-arclength step-arclength/double-cantilever.prm \
+    --set "Adhesion/strength=$alpha" --set "Adhesion/rupture gap=$delta" \
+    --set "Supports/motion y=4.5*t" --set "Process/opening=4.5*t" \
+    --set "Body/fine centre=32.2" --set "Body/fine width=4.6"
+done
+
+# A sphere by a load, a grip and along its path.
+pull="if(t < 1, -0.0125*t, 0.0225*t - 0.035)"
+run jkr step-arclength step-arclength/jkr.prm --set "Body/fine width=0.37" \
+  --set "Supports/motion y=$pull" --set "Process/opening=$pull"
+run jkr-grip step-arclength step-arclength/jkr-grip.prm
+run jkr-load step-arclength step-arclength/jkr-load.prm
 
 gnuplot << END
 set datafile separator ","
@@ -121,10 +138,33 @@ plot [0:.6] for [v in "0.4 0.2 0.1 0.05"] "$runs/delta-".v."/history.csv" \
 set output "$plots/variation-equal-work.svg"
 plot [0:.6] for [v in "0.4 0.2 0.1 0.05"] "$runs/equal-".v."/history.csv" \
   using 2:3 title "alpha = ".v." MPa"
+set output "$plots/variation-equal-work-beam.svg"
+plot for [v in "5 2.5 1.2 0.6 0.3"] "$runs/beam-".v."/history.csv" \
+  using 2:3 title "alpha = ".v." MPa"
 set output "$plots/variation-gamma.svg"
 plot [0:.6] for [v in "5 20 100 500"] "$runs/gamma-".v."/history.csv" \
   using 2:3 title "gamma = ".v." MPa/mm"
 set output "$plots/variation-beta.svg"
 plot [0:.6] for [v in "1 0.5 0.25"] "$runs/beta-".v."/history.csv" \
   using 2:3 title "beta_T = ".v
+
+# Units of Maugis; w = 4e-4 N/mm, R = 10 mm, K = 4 E*/3.
+w = 4e-4; R = 10.; K = 4. / 3. * 3. / (1. - .49**2)
+f = pi * w * R
+d = (pi**2 * w**2 * R / K**2)**(1. / 3.)
+set output "$plots/jkr.svg"
+set key bottom right
+set xlabel "opening, units of Maugis"
+set ylabel "pull over pi w R"
+stats "$runs/jkr-load/history.csv" using (column(3) / f) nooutput name "LOAD"
+set parametric
+set trange [.001:1.3]
+plot [.001:1.3] [-.4:1.3] [-.2:1.7] \
+  "$runs/jkr/history.csv" using (column(2) / d):(column(3) / f) \
+  title "arc length", \
+  "$runs/jkr-grip/history.csv" using (column(2) / d):(column(3) / f) \
+  title "grip, quasi-static", \
+  1.3 * t - .4, LOAD_max title "load, quasi-static: carries no more" dt 2, \
+  sqrt(8. * t / 3.) - t * t, sqrt(6. * t**3) - t**3 \
+  title "Johnson, Kendall and Roberts" dt 3 lc "black"
 END

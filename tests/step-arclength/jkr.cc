@@ -129,22 +129,42 @@ namespace demold
     EXPECT_LT(lowest(list, &Point::a).a, .2 * grip_limit.a);
   }
 
-  /// 97 % of its limit under a dead load on the flat side instead of a grip.
-  /// Beyond the limit the path ends with nothing that holds the half sphere.
-  TEST(Jkr, load_is_carried_nearly_up_to_its_limit)
+  /// No equilibrium carries more: the run ends with exit code 1.
+  TEST(Jkr, load_is_carried_up_to_its_limit_and_no_further)
   {
-    const SceneRun run = run_arclength(
-      "jkr.prm",
-      {"Supports/held=symmetry x x",
-       "Supports/driven=",
-       "Supports/traction boundary=top",
-       "Supports/traction=0, 3.8e-5*t + 1.62e-4*(abs(t - 1) - 1), 0",
-       "Process/opening=t",
-       "Process/end time=1.911"});
+    const SceneRun run = run_arclength("jkr-load.prm");
+    EXPECT_EQ(run.exit_code, 1);
+    const auto list = points(run);
+    record("lowest force", lowest(list, &Point::F).F);
+    record("radius there", list.back().a);
+    EXPECT_NEAR(lowest(list, &Point::F).F, -1.5, part * 1.5);
+    EXPECT_NEAR(lowest(list, &Point::a).a, load_limit.a, part * load_limit.a);
+  }
+
+  /// Viscous damage takes the small jumps of node after node, not the large
+  /// one.
+  TEST(Jkr, grip_passes_the_limit_of_a_load_and_ends_at_its_own)
+  {
+    const SceneRun run = run_arclength("jkr-grip.prm");
     EXPECT_EQ(run.exit_code, 0);
     const auto list = points(run);
-    EXPECT_NEAR(list.back().F, -.97 * 1.5, .01);
-    EXPECT_TRUE(list.back().envelope);
-    EXPECT_GT(list.back().a, load_limit.a);
+    record("lowest force", lowest(list, &Point::F).F);
+    EXPECT_NEAR(lowest(list, &Point::F).F, -1.5, part * 1.5);
+    const auto at_limit =
+      std::find_if(list.begin(), list.end(), [](const Point &p) {
+        return p.F < 0. && p.a < grip_limit.a;
+      });
+    ASSERT_NE(at_limit, list.end());
+    record("force at the limit of a grip", at_limit->F);
+    record("approach there", at_limit->delta);
+    EXPECT_NEAR(at_limit->F, grip_limit.F, -part * grip_limit.F);
+    EXPECT_NEAR(at_limit->delta, grip_limit.delta, -part * grip_limit.delta);
+
+    // The branch behind goes back to an approach of 0; this one does not.
+    record("approach at the end", list.back().delta);
+    EXPECT_LT(list.back().a, .1 * grip_limit.a);
+    for (auto p = at_limit; p != list.end(); ++p)
+      EXPECT_LT(p->delta, (1. - part) * grip_limit.delta);
+    EXPECT_GT(list.back().delta, 1.1 * grip_limit.delta);
   }
 } // namespace demold

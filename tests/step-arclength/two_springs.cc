@@ -95,4 +95,51 @@ namespace demold
               std::string::npos)
       << events;
   }
+
+  /// Both bonds could soften together, and do where nobody asks. On the other
+  /// branch b unloads while a softens, and lets go after it.
+  TEST(TwoSprings, leave_the_symmetric_path_along_the_eigenvector)
+  {
+    const double   rupture_gap = .04, k_t = slope(rupture_gap);
+    const SceneRun run =
+      run_arclength("two-springs.prm",
+                    {"Adhesion/rupture gap=" + std::to_string(rupture_gap),
+                     "Solution/branch at bifurcations=true"});
+    EXPECT_NE(std::string(run.summary.at("events"))
+                .find("onto another branch at a bifurcation"),
+              std::string::npos);
+
+    // Opening and force where one bond softens at the traction t, beside the
+    // stiffness of the other and its spring.
+    const auto state = [&](const double t, const double other) {
+      const double bar   = rupture_gap + t / k_t + t / k_s;
+      const double force = t + other * bar;
+      return std::make_pair(bar + force / k_m, force);
+    };
+    const auto   rows        = path_rows(run);
+    unsigned int one_softens = 0, last_softens = 0;
+    double       b_unloads = 0.; // [N/mm] with its spring; 0: not yet
+    for (std::size_t i = 1; i < rows.size(); ++i)
+      {
+        const PathRow &row = rows[i];
+        if (b_unloads == 0. && row.negative_pivots == 1)
+          { // from the traction both had reached, towards the origin
+            const double t = .5 * rows[i - 1].F;
+            b_unloads      = 1. / ((rupture_gap + t / k_t) / t + 1. / k_s);
+          }
+        if (b_unloads == 0. || row.adhesion == rows[i - 1].adhesion)
+          continue;
+        const bool   both  = rows[i - 1].bonded == 2.; // until this row
+        const double other = both ? b_unloads : 0.;
+        // Both are linear in t: the point of the same opening.
+        const auto   none = state(0., other), full = state(strength, other);
+        const double t =
+          (row.u - none.first) / (full.first - none.first) * strength;
+        EXPECT_NEAR(row.F, state(t, other).second, 1e-3 * 2. * strength)
+          << row.u;
+        (both ? one_softens : last_softens) += 1;
+      }
+    EXPECT_GE(one_softens, 3u);
+    EXPECT_GE(last_softens, 2u);
+  }
 } // namespace demold
