@@ -33,6 +33,16 @@ namespace demold
       return increments;
     }
 
+    PathTools path_tools(const SceneParameters &parameters,
+                         const StrategyTools   &tools)
+    {
+      return {tools.newton,
+              tools.linear_solver,
+              parameters.newton,
+              parameters.path,
+              tools.note};
+    }
+
     /// Errors of the displacement are judged by the gap over which a bond lets
     /// go, or by the height of the rubber.
     template <int dim>
@@ -82,11 +92,7 @@ namespace demold
     if (parameters.strategy == "arc length")
       return [=, &parameters](const OnAccept &on_accept) {
         return run_path_following(tools.weak_form,
-                                  {tools.newton,
-                                   tools.linear_solver,
-                                   parameters.newton,
-                                   parameters.path,
-                                   tools.note},
+                                  path_tools(parameters, tools),
                                   increments,
                                   tools.end_time,
                                   on_accept);
@@ -128,12 +134,14 @@ namespace demold
     Inertia &inertia = add_inertia(scene, parameters, system);
     if (parameters.strategy == "automatic")
       return [=, &parameters, &inertia](const OnAccept &on_accept) {
-        return run_automatic(
-          tools.weak_form,
-          {tools.newton, inertia, parameters.integrator, factor, tools.note},
-          increments,
-          tools.end_time,
-          on_accept);
+        return run_automatic(tools.weak_form,
+                             {path_tools(parameters, tools),
+                              inertia,
+                              parameters.integrator,
+                              factor},
+                             increments,
+                             tools.end_time,
+                             on_accept);
       };
     return [=, &parameters, &inertia](const OnAccept &on_accept) {
       return run_dynamics(tools.weak_form,

@@ -6,6 +6,7 @@
 #include "solution/books.h"
 #include "solution/dynamics.h"
 #include "solution/inertia.h"
+#include "solution/path_detour.h"
 #include "solution/quasi_static.h"
 #include "weak_form/weak_form.h"
 
@@ -30,6 +31,12 @@ namespace demold
     /// A quasi-static phase of fewer increments has begun too early.
     constexpr unsigned int short_phase = 10;
 
+    /// Points along the path of one detour.
+    constexpr unsigned int longest_detour = 30;
+
+    /// Jumps left to dynamics after a detour in vain, at most.
+    constexpr unsigned int most_skipped = 63;
+
     /// Where a run stands, see run_automatic().
     class Controller
     {
@@ -44,6 +51,9 @@ namespace demold
 
     private:
       void quasi_static_phase();
+      bool detour(const Books               &books,
+                  const IncrementParameters &parameters,
+                  const std::string         &why);
       void dynamic_phase();
       void add(const StrategyResult &phase);
       bool pass_on(const IncrementRecord &record);
@@ -65,6 +75,8 @@ namespace demold
       unsigned int    in_phase    = 0; ///< increments
       unsigned int    calm        = 0; ///< increments in a row
       unsigned int    calm_needed = shortest_calm;
+      unsigned int    to_skip     = 0; ///< jumps before the next detour
+      unsigned int    skip        = 0; ///< after the next detour in vain
     };
 
 
@@ -113,7 +125,7 @@ namespace demold
       weak_form.set_bulk_weight(1.);
       const StrategyResult phase =
         run_increments(weak_form,
-                       tools.newton,
+                       tools.path.newton,
                        parameters,
                        end_time,
                        quasi_static_hooks(weak_form, books, 0.),
@@ -121,7 +133,8 @@ namespace demold
                          return pass_on(record);
                        });
       add(phase);
-      if (!phase.gave_up)
+      const std::string why = phase.reason.substr(0, phase.reason.find(';'));
+      if (!phase.gave_up || detour(books, parameters, why))
         return;
       calm_needed = in_phase < short_phase ?
                       std::min(2 * calm_needed, longest_calm) :
@@ -129,8 +142,44 @@ namespace demold
       in_phase = calm = 0;
       state.dt        = std::max(state.dt, increments.smallest);
       tools.inertia.set_at_rest(false);
-      note("dynamics, because " +
-           phase.reason.substr(0, phase.reason.find(';')));
+      note("dynamics, because " + why);
+    }
+
+
+
+    /// Past a jump that is too small to matter; false if it matters, or if no
+    /// path is found.
+    bool Controller::detour(const Books               &books,
+                            const IncrementParameters &parameters,
+                            const std::string         &why)
+    {
+      if (to_skip > 0)
+        {
+          --to_skip;
+          return false;
+        }
+      const auto record = try_detour(weak_form,
+                                     tools.path,
+                                     parameters,
+                                     end_time,
+                                     {books.tolerated(), longest_detour});
+      if (!record)
+        {
+          to_skip = skip = std::min(2 * skip + 1, most_skipped);
+          return false;
+        }
+      skip = 0;
+      char released[60];
+      std::snprintf(released,
+                    sizeof(released),
+                    "arc length, %.3g mJ released, because ",
+                    tools.energy_factor * record->path->released);
+      note(released + why);
+      state.dt      = parameters.smallest;
+      state.last_dt = 0.;
+      ++result.increments;
+      pass_on(*record);
+      return true;
     }
 
 
@@ -142,7 +191,7 @@ namespace demold
       weak_form.set_bulk_weight(1. - tools.integrator.alpha_f());
       const StrategyResult phase =
         run_increments(weak_form,
-                       tools.newton,
+                       tools.path.newton,
                        parameters,
                        end_time,
                        dynamic_hooks(weak_form, tools.inertia),
@@ -188,7 +237,7 @@ namespace demold
     bool Controller::is_calm() const
     {
       return tools.inertia.force_norm() <=
-             no_inertia * tools.newton.largest_force;
+             no_inertia * tools.path.newton.largest_force;
     }
 
 
@@ -206,7 +255,7 @@ namespace demold
         tools.energy_factor * tools.inertia.kinetic_energy(),
         tools.energy_factor * now.adhesion);
       result.events.push_back(text + event);
-      tools.note(result.events.back());
+      tools.path.note(result.events.back());
     }
 
 
@@ -215,7 +264,9 @@ namespace demold
     {
       state.path = {static_cast<double>(in_phase),
                     static_cast<double>(calm),
-                    static_cast<double>(calm_needed)};
+                    static_cast<double>(calm_needed),
+                    static_cast<double>(to_skip),
+                    static_cast<double>(skip)};
     }
 
 
@@ -225,6 +276,8 @@ namespace demold
       in_phase    = static_cast<unsigned int>(state.path.at(0));
       calm        = static_cast<unsigned int>(state.path.at(1));
       calm_needed = static_cast<unsigned int>(state.path.at(2));
+      to_skip     = static_cast<unsigned int>(state.path.at(3));
+      skip        = static_cast<unsigned int>(state.path.at(4));
     }
   } // namespace
 

@@ -3,7 +3,7 @@
 #ifndef demold_solution_automatic_h
 #define demold_solution_automatic_h
 
-#include "solution/strategy.h"
+#include "solution/path_following.h"
 
 namespace demold
 {
@@ -11,20 +11,23 @@ namespace demold
   class WeakForm;
   struct TimeIntegrator;
 
-  /// What the controller works with. `note` is told what is chosen and why.
+  /// What the controller works with; `path.note` is told what is chosen and
+  /// why.
   struct AutomaticTools
   {
-    NonlinearSolver      &newton;
+    PathTools             path;
     Inertia              &inertia; ///< in the weak form
     const TimeIntegrator &integrator;
     double energy_factor = 1.; ///< whole body over model, in events
-    std::function<void(const std::string &)> note = [](const std::string &) {};
   };
 
   /// Quasi-static as long as increments are found whose energy the ledger
-  /// explains; dynamic where not, because something jumps; quasi-static again
-  /// when inertia forces have gone. Whoever comes back too early stays dynamic
-  /// twice as long the next time.
+  /// explains. Where not, because something jumps: along the path past the
+  /// jump, if it releases no more than the ledger of quasi-statics may leave
+  /// open; else dynamic, and quasi-static again when inertia forces have gone.
+  /// Whoever comes back too early stays dynamic twice as long the next time,
+  /// and after a path in vain the next jumps are left to dynamics, every time
+  /// more.
   StrategyResult run_automatic(WeakForm                  &weak_form,
                                const AutomaticTools      &tools,
                                const IncrementParameters &increments,

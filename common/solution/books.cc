@@ -13,6 +13,13 @@ namespace demold
   {
     /// Share of the largest ledger entry.
     constexpr double tolerated_gap = 2e-3;
+
+    double largest_of(const Energies &energies, double largest)
+    {
+      for (const double entry : energies.as_array())
+        largest = std::max(largest, std::abs(entry));
+      return largest;
+    }
   } // namespace
 
   Books::Books(const WeakForm &weak_form)
@@ -22,15 +29,18 @@ namespace demold
 
   double Books::unexplained_share() const
   {
-    double largest = largest_entry;
-    for (const double entry : trial.as_array())
-      largest = std::max(largest, std::abs(entry));
-    return std::abs(trial.gap() - accepted.gap()) / std::max(largest, 1e-300);
+    return std::abs(trial.gap() - accepted.gap()) /
+           std::max(largest_of(trial, largest_entry), 1e-300);
   }
 
   bool Books::are_open() const
   {
     return unexplained_share() > tolerated_gap;
+  }
+
+  double Books::tolerated() const
+  {
+    return tolerated_gap * largest_of(accepted, largest_entry);
   }
 
   bool Books::loses() const
@@ -40,8 +50,7 @@ namespace demold
 
   void Books::accept()
   {
-    accepted = trial;
-    for (const double entry : trial.as_array())
-      largest_entry = std::max(largest_entry, std::abs(entry));
+    accepted      = trial;
+    largest_entry = largest_of(trial, largest_entry);
   }
 } // namespace demold

@@ -22,6 +22,9 @@ namespace demold
     /// do, as external work is known by the trapezoidal rule only?
     bool are_open() const;
 
+    /// [mJ] that the next increment may leave unexplained at least.
+    double tolerated() const;
+
     /// Does the trial increment lose energy rather than gain it?
     bool loses() const;
 

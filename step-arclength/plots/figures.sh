@@ -139,8 +139,10 @@ set output "$plots/variation-equal-work.svg"
 plot [0:.6] for [v in "0.4 0.2 0.1 0.05"] "$runs/equal-".v."/history.csv" \
   using 2:3 title "alpha = ".v." MPa"
 set output "$plots/variation-equal-work-beam.svg"
+set key bottom right
 plot for [v in "5 2.5 1.2 0.6 0.3"] "$runs/beam-".v."/history.csv" \
   using 2:3 title "alpha = ".v." MPa"
+set key top right
 set output "$plots/variation-gamma.svg"
 plot [0:.6] for [v in "5 20 100 500"] "$runs/gamma-".v."/history.csv" \
   using 2:3 title "gamma = ".v." MPa/mm"
@@ -159,7 +161,7 @@ set ylabel "pull over pi w R"
 stats "$runs/jkr-load/history.csv" using (column(3) / f) nooutput name "LOAD"
 set parametric
 set trange [.001:1.3]
-plot [.001:1.3] [-.4:1.3] [-.2:1.7] \
+plot [.001:1.3] [-.4:1.3] [-.8:1.7] \
   "$runs/jkr/history.csv" using (column(2) / d):(column(3) / f) \
   title "arc length", \
   "$runs/jkr-grip/history.csv" using (column(2) / d):(column(3) / f) \

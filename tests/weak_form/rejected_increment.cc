@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A rejected increment leaves no trace in any term, and a checkpoint holds all
-// that an increment depends on.
+// A rejected increment leaves no trace in any term, nor does a detour that was
+// given up, and a checkpoint holds all that an increment depends on.
 #include "block_on_mould.h"
+
+#include "solution/path_detour.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -198,6 +200,36 @@ TEST(RejectedIncrement, does_not_change_the_increments_that_follow)
                             other,
                             std::max(scene.tolerance, repetition()));
         }
+    }
+}
+
+TEST(Detour, given_up_leaves_no_trace)
+{
+  IncrementParameters increments;
+  increments.smallest = 100. * dt; // farther than any path gets here
+  increments.largest  = .1 * dt;
+  for (const Scene &scene : scenes())
+    {
+      if (!scene.options.interface || scene.options.integrator)
+        continue;
+      SCOPED_TRACE(scene.name);
+      BlockOnMould block(scene.options), other(scene.options);
+      advance(block, 3);
+      advance(other, 3);
+      const std::string before = block.saved();
+      IncrementState    state;
+      increments.state = &state;
+      EXPECT_FALSE(try_detour(*block.form,
+                              {*block.newton, *block.solver, {}, {}},
+                              increments,
+                              10. * dt,
+                              {1e300, 3})
+                     .has_value());
+      EXPECT_GT(state.newton_iterations, 3u);
+      EXPECT_TRUE(block.saved() == before);
+      advance(block, 2);
+      advance(other, 2);
+      expect_same_state(block, other, std::max(1e-12, repetition()));
     }
 }
 
