@@ -58,13 +58,14 @@ namespace demold
   void SceneParameters::add_solution(ParameterHandler &prm)
   {
     prm.enter_subsection("Solution");
-    prm.add_parameter("strategy",
-                      strategy,
-                      "how the scene is solved; automatic: quasi-static, and "
-                      "dynamics for what jumps; explicit dynamics: central "
-                      "differences in steps below the critical one",
-                      Patterns::Selection("quasi-static|dynamics|arc length|"
-                                          "automatic|explicit dynamics"));
+    prm.add_parameter(
+      "strategy",
+      strategy,
+      "how the scene is solved; automatic: quasi-static, small "
+      "jumps along the path, large ones by dynamics; explicit dynamics: central "
+      "differences in steps below the critical one",
+      Patterns::Selection("quasi-static|dynamics|arc length|"
+                          "automatic|explicit dynamics"));
     increments.add_parameters(prm);
     path.add_parameters(prm);
     integrator.add_parameters(prm);
@@ -94,14 +95,18 @@ namespace demold
 
   void SceneParameters::check_regularisation() const
   {
-    if (strategy == "arc length" && interface.adhesion.active() &&
-        interface.adhesion.viscous_time > 0.)
+    if (strategy == "arc length" && damage_is_viscous())
       throw ExcParameter("Adhesion/viscous time",
                          "must be 0 s with Solution/strategy = arc length: no "
                          "time passes where a path runs back, so damage would "
                          "stand still and the path with it; got " +
                            std::to_string(interface.adhesion.viscous_time) +
                            " s. Choose 0, or quasi-static.");
+  }
+
+  bool SceneParameters::damage_is_viscous() const
+  {
+    return interface.adhesion.active() && interface.adhesion.viscous_time > 0.;
   }
 
   void SceneParameters::check_inertia() const

@@ -54,6 +54,8 @@ namespace demold
       return cure_kind == "vulcanised";
     }
 
+    bool damage_is_viscous() const;
+
     /// Do nodes have mass: dynamics, now or when it is needed?
     bool has_inertia() const;
 

@@ -138,7 +138,8 @@ namespace demold
                              {path_tools(parameters, tools),
                               inertia,
                               parameters.integrator,
-                              factor},
+                              factor,
+                              !parameters.damage_is_viscous()},
                              increments,
                              tools.end_time,
                              on_accept);

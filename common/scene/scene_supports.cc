@@ -115,9 +115,12 @@ namespace demold
           }
         if (rule.where && !found)
           throw ExcParameter("Supports/driven where",
-                             "must be positive at one node of what is driven "
-                             "at least; got none. Compare it with the size of "
-                             "the body and of its elements.");
+                             "must be positive at one node at least for every "
+                             "part of Supports/driven; got none for its "
+                             "component " +
+                               std::string(1, "xyz"[rule.component]) +
+                               ". Compare it with the size of the body and of "
+                               "its elements.");
       }
     std::vector<SceneSupports::Entry> list;
     for (const auto &entry : entries)

@@ -108,7 +108,11 @@ namespace demold
   std::vector<SupportRule> SupportEntries::supports() const
   {
     std::vector<SupportRule> rules = rules_of(driven, "Supports/driven", dim);
-    const auto               where =
+    if (driven.empty() && driven_where != "1")
+      throw ExcParameter("Supports/driven where",
+                         "needs Supports/driven; got " + driven_where +
+                           " and nothing that is driven.");
+    const auto where =
       std::make_shared<Expression>(driven_where, "Supports/driven where");
     for (SupportRule &rule : rules)
       {

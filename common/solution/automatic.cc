@@ -11,6 +11,7 @@
 #include "weak_form/weak_form.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace demold
@@ -75,8 +76,9 @@ namespace demold
       unsigned int    in_phase    = 0; ///< increments
       unsigned int    calm        = 0; ///< increments in a row
       unsigned int    calm_needed = shortest_calm;
-      unsigned int    to_skip     = 0; ///< jumps before the next detour
-      unsigned int    skip        = 0; ///< after the next detour in vain
+      unsigned int    to_skip     = 0;  ///< jumps before the next detour
+      unsigned int    skip        = 0;  ///< after the next detour in vain
+      double          released    = 0.; ///< [mJ] by detours
     };
 
 
@@ -153,28 +155,33 @@ namespace demold
                             const IncrementParameters &parameters,
                             const std::string         &why)
     {
-      if (to_skip > 0)
+      const double left = books.tolerated() - released;
+      if (!tools.detours || to_skip > 0 || left <= 0.)
         {
-          --to_skip;
+          to_skip -= to_skip > 0 ? 1 : 0;
           return false;
         }
-      const auto record = try_detour(weak_form,
+      const auto record        = try_detour(weak_form,
                                      tools.path,
                                      parameters,
                                      end_time,
-                                     {books.tolerated(), longest_detour});
+                                     {left, longest_detour});
+      result.newton_iterations = state.newton_iterations;
+      result.rejected          = state.rejected;
       if (!record)
         {
           to_skip = skip = std::min(2 * skip + 1, most_skipped);
           return false;
         }
       skip = 0;
-      char released[60];
-      std::snprintf(released,
-                    sizeof(released),
+      released += std::abs(record->path->released);
+      char text[60];
+      std::snprintf(text,
+                    sizeof(text),
                     "arc length, %.3g mJ released, because ",
                     tools.energy_factor * record->path->released);
-      note(released + why);
+      note(text + why);
+      tools.inertia.forget_velocities();
       state.dt      = parameters.smallest;
       state.last_dt = 0.;
       ++result.increments;
@@ -266,7 +273,8 @@ namespace demold
                     static_cast<double>(calm),
                     static_cast<double>(calm_needed),
                     static_cast<double>(to_skip),
-                    static_cast<double>(skip)};
+                    static_cast<double>(skip),
+                    released};
     }
 
 
@@ -278,6 +286,7 @@ namespace demold
       calm_needed = static_cast<unsigned int>(state.path.at(2));
       to_skip     = static_cast<unsigned int>(state.path.at(3));
       skip        = static_cast<unsigned int>(state.path.at(4));
+      released    = state.path.at(5);
     }
   } // namespace
 

@@ -18,16 +18,17 @@ namespace demold
     PathTools             path;
     Inertia              &inertia; ///< in the weak form
     const TimeIntegrator &integrator;
-    double energy_factor = 1.; ///< whole body over model, in events
+    double energy_factor = 1.;   ///< whole body over model, in events
+    bool   detours       = true; ///< along the path past small jumps?
   };
 
   /// Quasi-static as long as increments are found whose energy the ledger
   /// explains. Where not, because something jumps: along the path past the
-  /// jump, if it releases no more than the ledger of quasi-statics may leave
-  /// open; else dynamic, and quasi-static again when inertia forces have gone.
-  /// Whoever comes back too early stays dynamic twice as long the next time,
-  /// and after a path in vain the next jumps are left to dynamics, every time
-  /// more.
+  /// jump, as long as all such jumps together release no more than the ledger
+  /// of quasi-statics may leave open in one increment; else dynamic, and
+  /// quasi-static again when inertia forces have gone. Whoever comes back too
+  /// early stays dynamic twice as long the next time, and after a detour in
+  /// vain the next jumps are left to dynamics, every time more.
   StrategyResult run_automatic(WeakForm                  &weak_form,
                                const AutomaticTools      &tools,
                                const IncrementParameters &increments,

@@ -158,6 +158,12 @@ namespace demold
     revert();
   }
 
+  void Inertia::forget_velocities()
+  {
+    committed_velocity = 0.;
+    revert();
+  }
+
   double Inertia::force_norm() const
   {
     double square = 0.;

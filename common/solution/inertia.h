@@ -81,6 +81,10 @@ namespace demold
     /// Between increments.
     void set_at_rest(const bool at_rest);
 
+    /// Between increments at rest: no velocities, where those of the last one
+    /// say nothing.
+    void forget_velocities();
+
     bool is_at_rest() const
     {
       return at_rest;

@@ -102,8 +102,8 @@ namespace demold
   /// changes (theory D.3).
   void PathFollower::report_stability(const StabilityReading &reading)
   {
-    const int now = reading.negative_pivots, before = negative_pivots;
-    negative_pivots = now;
+    const int now = reading.negative_pivots, before = stability.negative_pivots;
+    stability = reading;
     if (now < 0 || before < 0 || now == before)
       return;
     char text[160];

@@ -13,6 +13,10 @@ namespace demold
   {
     /// [mm] norm of the nodal displacements that show what a mode opens.
     constexpr double probe = 1e-7;
+
+    /// What counts as opening, over the largest one: the rest is noise of the
+    /// inverse iteration.
+    constexpr double clear = 1e-2;
   } // namespace
 
   /// With two negative pivots points soften together that need not (theory
@@ -21,7 +25,8 @@ namespace demold
   /// a step along which all of them soften takes it back.
   bool PathFollower::try_branch(const Points &points)
   {
-    if (!tools.path.branch || is_cylindrical() || negative_pivots < 2)
+    if (!tools.path.branch || is_cylindrical() ||
+        stability.negative_pivots < 2 || !(stability.smallest_eigenvalue < 0.))
       return false;
     weak_form.update(mode, probe);
     weak_form.assemble(false, 0);
@@ -35,19 +40,20 @@ namespace demold
           most     = std::max(most, opens[k]);
           least    = std::min(least, opens[k]);
         }
-    most  = max_over_ranks(weak_form, most);
-    least = -max_over_ranks(weak_form, -least);
-    if (most == 0. || least == 0.)
+    most                 = max_over_ranks(weak_form, most);
+    least                = -max_over_ranks(weak_form, -least);
+    const double largest = std::max(most, -least);
+    if (std::min(most, -least) <= clear * largest)
       return false; // all of them open together
     // An eigenvector has no sign: towards the point that opens most.
     const double sign = most >= -least ? 1. : -1.;
     unsigned int n    = 0;
     for (const double change : opens)
-      n += sign * change > 0. ? 1 : 0;
+      n += sign * change > clear * largest ? 1 : 0;
     // Asked point by point in their order, once or more.
     std::size_t  k       = 0;
     const Chosen goes_on = [&](const SofteningSite &) {
-      return sign * opens[k++ % opens.size()] > 0.;
+      return sign * opens[k++ % opens.size()] > clear * largest;
     };
     if (!try_path(goes_on, false))
       return false;

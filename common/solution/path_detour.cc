@@ -13,16 +13,14 @@ namespace demold
   namespace
   {
     /// Work that the machine gets back on the way, over what may be released:
-    /// a path that goes back further will not release so little.
+    /// a path that goes back further is not expected to release so little.
     constexpr double deepest = 10.;
 
-    /// One constraint that needs no sign, and no slide where it fails: whoever
+    /// The constraint that needs no sign, and no slide where it fails: whoever
     /// comes here has dynamics at hand.
     PathTools for_detours(PathTools tools)
     {
-      if (tools.path.constraint == "adaptive" ||
-          tools.path.constraint == "load")
-        tools.path.constraint = "dissipation";
+      tools.path.constraint = "dissipation";
       tools.path.monitor = tools.path.eigenvalue = tools.path.branch = false;
       tools.note = [](const std::string &) {};
       return tools;
@@ -40,6 +38,9 @@ namespace demold
     weak_form.save(before);
     const double start    = weak_form.time();
     const double external = weak_form.energies().external;
+    const double force    = tools.newton.largest_force;
+    const double enough =
+      std::min(start + increments.smallest, end_time * (1. - 1e-12));
 
     IncrementState way;
     way.dt                      = increments.smallest;
@@ -62,12 +63,15 @@ namespace demold
                            whole.path->released += so_far;
                            const double back =
                              external - weak_form.energies().external;
-                           if (++points > limits.points ||
+                           // A load step may jump as well, which no excursion
+                           // shows.
+                           const bool jumps = record.strategy != "arc length";
+                           if (jumps || ++points > limits.points ||
                                back > deepest * limits.released ||
                                std::abs(whole.path->released) > limits.released)
                              return false;
                            arrived = record.path->kind != "static path" &&
-                                     record.time >= start + increments.smallest;
+                                     record.time >= enough;
                            return !arrived;
                          });
     if (increments.state != nullptr)
@@ -84,6 +88,7 @@ namespace demold
       }
     std::istringstream in(before.str());
     weak_form.load(in);
+    tools.newton.largest_force = force;
     return std::nullopt;
   }
 } // namespace demold

@@ -20,6 +20,8 @@ namespace demold
   /// forward again: by a shortest increment of @p increments at least. A
   /// machine sees one increment, with what it releases. Nothing, and @p
   /// weak_form as it was, if that is more than it may be or no path is found.
+  /// Bonds must not have a viscous time: none passes along the path. The
+  /// constraint is dissipation, in steps of `tools.path.release`.
   std::optional<IncrementRecord>
   try_detour(WeakForm                  &weak_form,
              const PathTools           &tools,

@@ -181,6 +181,12 @@ namespace demold
                   books.largest_entry};
     for (const double x : excursion.save())
       state.path.push_back(x);
+    if (!tools.path.branch)
+      return;
+    state.path.push_back(stability.negative_pivots);
+    state.path.push_back(stability.smallest_eigenvalue);
+    for (const auto i : mode.locally_owned_elements())
+      state.path.push_back(mode(i));
   }
 
   void PathFollower::load()
@@ -194,7 +200,16 @@ namespace demold
     if (is_cylindrical())
       cylindrical->length = values.at(4);
     books.largest_entry = values.at(6);
-    excursion.load({values.begin() + 7, values.end()});
+    auto next           = values.begin() + 7;
+    excursion.load({next, next + 4});
+    if (!tools.path.branch)
+      return;
+    next += 4;
+    stability.negative_pivots     = static_cast<int>(*next++);
+    stability.smallest_eigenvalue = *next++;
+    for (const auto i : mode.locally_owned_elements())
+      mode(i) = *next++;
+    mode.compress(dealii::VectorOperation::insert);
   }
 
   StrategyResult run_path_following(WeakForm                  &weak_form,

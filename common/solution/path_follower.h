@@ -89,17 +89,17 @@ namespace demold
     Excursion                       excursion;
     StrategyResult                  result;
 
-    bool         goes_on    = true;
-    bool         on_path    = false;
-    double       size       = 0.;      ///< of path steps, of a full one
-    unsigned int path_steps = 0;       ///< since the last try of a load step
-    double       nudged     = -1.;     ///< [s] clock of the last step back
-    double       last_load  = 0.;      ///< [s] to extrapolate from, 0: nothing
-    double       whole      = 0.;      ///< [mJ] of the largest point
-    Vector       mode;                 ///< eigenvector of the last reading
-    int          negative_pivots = -1; ///< at the last point, -1: unknown
-    Books        books;
-    std::string  last_problem;
+    bool             goes_on    = true;
+    bool             on_path    = false;
+    double           size       = 0.;  ///< of path steps, of a full one
+    unsigned int     path_steps = 0;   ///< since the last try of a load step
+    double           nudged     = -1.; ///< [s] clock of the last step back
+    double           last_load  = 0.;  ///< [s] to extrapolate from, 0: nothing
+    double           whole      = 0.;  ///< [mJ] of the largest point
+    Vector           mode;             ///< eigenvector of the last reading
+    StabilityReading stability;        ///< of the last point, if anybody asks
+    Books            books;
+    std::string      last_problem;
   };
 } // namespace demold
 

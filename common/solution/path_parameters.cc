@@ -20,7 +20,7 @@ namespace demold
                         "opening|adaptive"));
     prm.add_parameter("released per step",
                       release,
-                      "dtau_max largest energy an arc-length step may "
+                      "dtau_max largest energy a step along a path may "
                       "release, over what one point releases from first to "
                       "last [-]",
                       Patterns::Double(1e-4, 1.));
@@ -33,10 +33,12 @@ namespace demold
                       "of an arc length: stability monitor, and the eigenvalue "
                       "of the tangent nearest to zero [N/mm], some ten "
                       "solutions each; not with mortar");
-    prm.add_parameter("branch at bifurcations",
-                      branch,
-                      "of an arc length: smallest eigenvalue, and where more "
-                      "than one is negative only those points go on softening "
-                      "that its eigenvector opens");
+    prm.add_parameter(
+      "branch at bifurcations",
+      branch,
+      "of an arc length: smallest eigenvalue; where the tangent "
+      "has two or more negative ones only points that the "
+      "eigenvector opens go on softening; not with friction or "
+      "mortar");
   }
 } // namespace demold

@@ -12,7 +12,8 @@ namespace dealii
 
 namespace demold
 {
-  /// Entries of section Solution that belong to `strategy = arc length`.
+  /// Entries of section Solution that belong to `strategy = arc length`; the
+  /// second one also to `automatic`.
   struct PathParameters
   {
     /// load, cylindrical, interface, dissipation, largest opening, adaptive

@@ -38,7 +38,8 @@ namespace demold
           const double value = 1. / (x * y);
           if (std::abs(value - last) <= eigenvalue_tolerance * std::abs(value))
             {
-              mode = x;
+              mode = y;
+              mode /= y.l2_norm();
               return value;
             }
           last = value;
@@ -66,6 +67,8 @@ namespace demold
                                              weak_form.symmetric(),
                                              weak_form.has_extra_unknowns());
     StabilityReading reading;
+    if (mode != nullptr)
+      *mode = 0.;
     if (mode != nullptr && outcome == LinearSolver::Outcome::solved &&
         !weak_form.has_extra_unknowns())
       reading.smallest_eigenvalue =

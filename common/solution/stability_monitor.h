@@ -28,9 +28,8 @@ namespace demold
   /// Factorises the tangent at the trial, whose residual was the last to be
   /// assembled in iteration @p iteration. Costs an assembly and a factor, so
   /// that it is only called where somebody asks; some ten solutions more with
-  /// @p mode, which becomes the eigenvector of the smallest eigenvalue, its
-  /// norm 1, and stays as it is where that is not found: saddle points have
-  /// none.
+  /// @p mode, which becomes the eigenvector of the smallest eigenvalue, of norm
+  /// 1 or, where none is found, 0: saddle points have none.
   StabilityReading read_stability(WeakForm          &weak_form,
                                   LinearSolver      &linear_solver,
                                   const unsigned int iteration,

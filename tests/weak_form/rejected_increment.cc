@@ -3,6 +3,7 @@
 // given up, and a checkpoint holds all that an increment depends on.
 #include "block_on_mould.h"
 
+#include "solution/books.h"
 #include "solution/path_detour.h"
 
 #include <deal.II/base/mpi.h>
@@ -203,33 +204,75 @@ TEST(RejectedIncrement, does_not_change_the_increments_that_follow)
     }
 }
 
-TEST(Detour, given_up_leaves_no_trace)
+/// A bond that softens faster than the block gives way: 10 MPa/mm.
+TEST(Detour, passes_a_jump_or_leaves_no_trace)
 {
+  BlockOptions steep;
+  steep.interface           = interface(AdhesionUnloading::damage, 0.);
+  steep.interface->friction = 0.;
+  steep.interface->adhesion->softening = LinearSoftening{.05, .005, 50.};
+  steep.top = [](const dealii::Point<3> &, const double t) {
+    return vector(0., .002 * t);
+  };
+  IncrementState      state;
   IncrementParameters increments;
-  increments.smallest = 100. * dt; // farther than any path gets here
-  increments.largest  = .1 * dt;
-  for (const Scene &scene : scenes())
+  increments.state    = &state;
+  increments.smallest = .01 * dt;
+  increments.largest  = dt;
+  for (const bool mortar : {false, true})
     {
-      if (!scene.options.interface || scene.options.integrator)
-        continue;
-      SCOPED_TRACE(scene.name);
-      BlockOnMould block(scene.options), other(scene.options);
-      advance(block, 3);
-      advance(other, 3);
-      const std::string before = block.saved();
-      IncrementState    state;
-      increments.state = &state;
-      EXPECT_FALSE(try_detour(*block.form,
-                              {*block.newton, *block.solver, {}, {}},
-                              increments,
-                              10. * dt,
-                              {1e300, 3})
-                     .has_value());
-      EXPECT_GT(state.newton_iterations, 3u);
-      EXPECT_TRUE(block.saved() == before);
-      advance(block, 2);
-      advance(other, 2);
-      expect_same_state(block, other, std::max(1e-12, repetition()));
+      SCOPED_TRACE(mortar ? "mortar" : "node to segment");
+      steep.mortar               = mortar;
+      steep.interface->stiffness = 3.; // of the order of E [MPa]
+      const auto at_the_limit    = [&] {
+        auto block = std::make_unique<BlockOnMould>(steep);
+        for (double step = dt; step > 1e-4 * dt;)
+          {
+            const std::string before = block->saved();
+            const double      time   = block->form->time() + step;
+            Books             books(*block->form);
+            if (block->try_and_reject(time).converged)
+              {
+                block->advance(time);
+                books.trial = block->form->energies();
+                if (!books.are_open())
+                  continue;
+              }
+            block->load(before);
+            step *= .5;
+          }
+        return block;
+      };
+      const auto detour = [&](BlockOnMould &block, const DetourLimits &limits) {
+        return try_detour(*block.form,
+                          {*block.newton, *block.solver, {}, {}},
+                          increments,
+                          1000. * dt,
+                          limits);
+      };
+      const auto free   = at_the_limit();
+      const auto passed = detour(*free, {1e300, 400});
+      ASSERT_TRUE(passed.has_value());
+      const double released = passed->path->released;
+      EXPECT_GT(released, 0.);
+      EXPECT_GT(free->form->energies().adhesion, 0.);
+
+      const auto block = at_the_limit(), other = at_the_limit();
+      const auto before = block->saved();
+      const auto force  = block->newton->largest_force;
+      for (const DetourLimits limits :
+           {DetourLimits{1e300, 5}, DetourLimits{.01 * released, 400}})
+        {
+          state = IncrementState();
+          EXPECT_FALSE(detour(*block, limits).has_value());
+          EXPECT_GT(state.newton_iterations, 5u);
+          EXPECT_TRUE(block->saved() == before);
+          EXPECT_EQ(block->newton->largest_force, force);
+        }
+      const auto again = detour(*block, {1e300, 400});
+      ASSERT_TRUE(again.has_value());
+      EXPECT_NEAR(again->path->released, released, 1e-9 * released);
+      EXPECT_NEAR(again->time, passed->time, 1e-9 * passed->time);
     }
 }
 
