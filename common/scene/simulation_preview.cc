@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What a scene will simulate, in words, before anything is computed.
 #include "adhesion/stability_number.h"
+#include "scene/scene_supports.h"
 #include "scene/simulation.h"
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
 
 #include <deal.II/grid/tria.h>
 
@@ -110,6 +116,23 @@ namespace demold
       return stability.text() + mesh_warning(largest_edge(mesh, scene.slave),
                                              stability.relaxed.cohesive_zone);
     }
+    /// Throws where a part of a boundary that is to be driven has no nodes.
+    template <int dim>
+    void check_supports(const Scene<dim>         &scene,
+                        const unsigned int        degree,
+                        const Triangulation<dim> &mesh)
+    {
+      if (std::none_of(scene.supports.begin(),
+                       scene.supports.end(),
+                       [](const SupportRule &rule) {
+                         return bool(rule.where);
+                       }))
+        return;
+      const FESystem<dim> fe(FE_Q<dim>(degree), dim);
+      DoFHandler<dim>     nodes(mesh);
+      nodes.distribute_dofs(fe);
+      collect_supports(nodes, scene.supports);
+    }
   } // namespace
 
   template <int dim>
@@ -119,9 +142,10 @@ namespace demold
     Triangulation<dim> mesh;
     scene.make_mesh(mesh);
     const unsigned int degree = parameters.element == "q2" ? 2 : 1;
-    const double       unknowns =
+    check_supports(scene, degree, mesh);
+    const double unknowns =
       degree == 1 ? dim * static_cast<double>(mesh.n_used_vertices()) :
-                          dim * std::pow(2., dim) * mesh.n_active_cells();
+                    dim * std::pow(2., dim) * mesh.n_active_cells();
     const RubberLaw law = parameters.typical_law();
     const auto      history =
       static_cast<double>(law.n_history() * mesh.n_active_cells()) *
