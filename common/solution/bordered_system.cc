@@ -9,6 +9,8 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
+#include <Epetra_CrsMatrix.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -68,6 +70,25 @@ namespace demold
       return set;
     }
 
+    /// Calls @p visit with column and value of each entry of an owned @p row.
+    /// The iterators of deal.II do not stop at the end of a row whose successor
+    /// lies on another rank, as with multipliers behind all displacements.
+    template <typename Visit>
+    void for_each_entry(const SparseMatrix           &K,
+                        const types::global_dof_index row,
+                        const Visit                  &visit)
+    {
+      const Epetra_CrsMatrix &A         = K.trilinos_matrix();
+      int                     n_entries = 0, *columns = nullptr;
+      double                 *values = nullptr;
+      A.ExtractMyRowView(A.LRID(static_cast<int>(row)),
+                         n_entries,
+                         values,
+                         columns);
+      for (int k = 0; k < n_entries; ++k)
+        visit(A.GCID(columns[k]), values[k]);
+    }
+
     void copy_rows(const BorderedSystem &s,
                    const IndexSet       &owned,
                    SparseMatrix         &A)
@@ -75,8 +96,9 @@ namespace demold
       const auto n = owned.size();
       for (const auto row : owned)
         {
-          for (auto entry = s.K.begin(row); entry != s.K.end(row); ++entry)
-            A.add(row, entry->column(), entry->value());
+          for_each_entry(s.K, row, [&](const int column, const double value) {
+            A.add(row, column, value);
+          });
           A.add(row, n, -s.f(row));
           A.add(n, row, s.h(row));
         }
@@ -90,8 +112,9 @@ namespace demold
       DynamicSparsityPattern pattern(n + 1, n + 1, rows);
       for (const auto row : owned)
         {
-          for (auto entry = s.K.begin(row); entry != s.K.end(row); ++entry)
-            pattern.add(row, entry->column());
+          for_each_entry(s.K, row, [&](const int column, const double) {
+            pattern.add(row, column);
+          });
           pattern.add(row, n);
           pattern.add(n, row);
         }
