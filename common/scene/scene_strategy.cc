@@ -132,6 +132,10 @@ namespace demold
                                      on_accept);
       };
     Inertia &inertia = add_inertia(scene, parameters, system);
+    // By mortar the ledger is open where faces slide over sharp ends, which a
+    // path takes for a jump.
+    const bool detours =
+      !parameters.damage_is_viscous() && !parameters.interface.is_mortar();
     if (parameters.strategy == "automatic")
       return [=, &parameters, &inertia](const OnAccept &on_accept) {
         return run_automatic(tools.weak_form,
@@ -139,7 +143,7 @@ namespace demold
                               inertia,
                               parameters.integrator,
                               factor,
-                              !parameters.damage_is_viscous()},
+                              detours},
                              increments,
                              tools.end_time,
                              on_accept);

@@ -50,30 +50,28 @@ namespace demold
     IncrementRecord      whole{start, 0., {}, "arc length", 0, PathPoint()};
     unsigned int         points  = 0;
     bool                 arrived = false;
-    const StrategyResult result =
-      run_path_following(weak_form,
-                         for_detours(tools),
-                         shorter,
-                         end_time,
-                         [&](const IncrementRecord &record) {
-                           const double so_far = whole.path->released;
-                           whole.time          = record.time;
-                           whole.newton        = record.newton;
-                           whole.path          = record.path;
-                           whole.path->released += so_far;
-                           const double back =
-                             external - weak_form.energies().external;
-                           // A load step may jump as well, which no excursion
-                           // shows.
-                           const bool jumps = record.strategy != "arc length";
-                           if (jumps || ++points > limits.points ||
-                               back > deepest * limits.released ||
-                               std::abs(whole.path->released) > limits.released)
-                             return false;
-                           arrived = record.path->kind != "static path" &&
-                                     record.time >= enough;
-                           return !arrived;
-                         });
+    const StrategyResult result  = run_path_following(
+      weak_form,
+      for_detours(tools),
+      shorter,
+      end_time,
+      [&](const IncrementRecord &record) {
+        const double so_far = whole.path->released;
+        whole.time          = record.time;
+        whole.newton        = record.newton;
+        whole.path          = record.path;
+        whole.path->released += so_far;
+        const double back = external - weak_form.energies().external;
+        // A load step may jump as well, which no excursion
+        // shows.
+        const bool jumps = record.strategy != "arc length";
+        if (jumps || ++points + record.rejected > limits.points ||
+            back > deepest * limits.released ||
+            std::abs(whole.path->released) > limits.released)
+          return false;
+        arrived = record.path->kind != "static path" && record.time >= enough;
+        return !arrived;
+      });
     if (increments.state != nullptr)
       {
         increments.state->newton_iterations += result.newton_iterations;

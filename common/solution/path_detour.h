@@ -13,7 +13,7 @@ namespace demold
   struct DetourLimits
   {
     double       released; ///< [mJ] largest jump
-    unsigned int points;   ///< along the path
+    unsigned int points;   ///< along the path, found or not
   };
 
   /// From where quasi-statics has stopped along the path, until time goes
