@@ -62,8 +62,7 @@ namespace demold
         whole.path          = record.path;
         whole.path->released += so_far;
         const double back = external - weak_form.energies().external;
-        // A load step may jump as well, which no excursion
-        // shows.
+        // A load step may jump as well: no excursion shows it.
         const bool jumps = record.strategy != "arc length";
         if (jumps || ++points + record.rejected > limits.points ||
             back > deepest * limits.released ||
